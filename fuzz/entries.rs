@@ -107,7 +107,7 @@ pub fn project(bytes: &[u8]) {
     let Some(json) = text(bytes) else { return };
     if let Ok(project) = ProjectFile::parse(json) {
         let shown = project.history.shown.iter().map(|shown| &shown.page);
-        for page in shown.chain(&project.history.present.page) {
+        for page in shown.chain(project.history.present.sheets().iter().map(|sheet| &sheet.page)) {
             assert!(Scene::new(page, WIDTH).is_ok());
         }
         let written = project.renamed("q").write();
@@ -171,7 +171,7 @@ fn whole(state: &Project) {
     let table: HashSet<&str> = state.tray.iter().map(|item| item.id.as_str()).collect();
     assert!(table.len() == state.tray.len(), "a photo is on the table twice");
     let sheets = state.sheets();
-    for sheet in &sheets {
+    for sheet in sheets {
         assert!(photos_on(&[&sheet.page]).is_subset(&table), "a page shows a photo that is not there");
         assert!(sheet.page.order.iter().all(|id| table.contains(id.as_str())));
     }

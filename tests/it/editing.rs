@@ -54,7 +54,7 @@ fn shown_ids(editor: &Editor) -> Vec<u64> {
 }
 
 fn seed_of(editor: &Editor) -> Option<u32> {
-    editor.project().page.as_ref().map(|page| page.seed)
+    editor.project().page().map(|page| page.seed)
 }
 
 #[test]
@@ -157,10 +157,10 @@ fn a_photo_that_leaves_the_table_leaves_the_pages() {
     }
     // After an earlier version of the page returns, the item is gone. Undo restores both.
     editor.apply(&Edit::ShowPage { page: Arc::new(shown), page_id: 1 }, &How::default());
-    assert_eq!(editor.project().page.as_ref().unwrap().panels[0].photo, None);
+    assert_eq!(editor.project().page().unwrap().panels[0].photo, None);
     editor.apply(&Edit::Undo, &How::default());
     editor.apply(&Edit::Undo, &How::default());
-    assert_eq!(editor.project().page.as_ref().unwrap().panels[0].photo.as_deref(), Some("a"));
+    assert_eq!(editor.project().page().unwrap().panels[0].photo.as_deref(), Some("a"));
 }
 
 #[test]
@@ -176,7 +176,7 @@ fn a_photo_in_the_place_of_another_is_it_everywhere() {
     let editor = played(edits.clone());
     let tray: Vec<_> = editor.project().tray.iter().map(|item| (item.id.as_str(), item.used)).collect();
     assert_eq!(tray, [("d", Some(true)), ("b", None)]);
-    let page = editor.project().page.clone().unwrap();
+    let page = editor.project().page().cloned().unwrap();
     assert_eq!(
         (page.panels[2].photo.as_deref(), page.order.as_slice()),
         (Some("d"), texts(&["b", "d"]).as_slice())
@@ -184,7 +184,7 @@ fn a_photo_in_the_place_of_another_is_it_everywhere() {
     // One that is on the table already is there once.
     let editor = played(edits.into_iter().chain([Edit::ExchangePhoto { id: "d".into(), by: "b".into() }]));
     assert_eq!(editor.project().tray.len(), 1);
-    assert_eq!(editor.project().page.as_ref().unwrap().order, ["b"]);
+    assert_eq!(editor.project().page().unwrap().order, ["b"]);
 }
 
 fn custom(file: Value) -> Arc<CustomFile> {
@@ -255,7 +255,7 @@ fn a_mask_corrected_by_hand_is_of_its_photo_and_cuts_its_figures_until_it_is_und
         correct(Some(own.clone()), None),
     ]);
     let figures = |editor: &Editor| {
-        let page = editor.project().page.clone().unwrap();
+        let page = editor.project().page().cloned().unwrap();
         page.panels[..3].iter().map(|panel| panel.figure.clone()).collect::<Vec<_>>()
     };
     let cut = vec![Some(own.clone()), Some(found.clone()), None];
@@ -428,11 +428,11 @@ fn check(editor: &Editor) {
     check_photos(present);
     let ids: HashSet<u64> = shown.iter().map(|shown| shown.id).collect();
     assert_eq!(ids.len(), shown.len(), "a page is shown twice");
-    assert!(present.page.is_none() || editor.history().position().is_some());
+    assert!(present.page().is_none() || editor.history().position().is_some());
     assert!(!ids.contains(&editor.history().fresh_page_id()));
     assert!(past.len() <= 500 && future.len() <= 500 && shown.len() <= 1000);
-    assert!(present.at <= present.others.len() && (present.page.is_some() || present.others.is_empty()));
-    if let Some(page) = &present.page {
+    assert!(present.pages.active() < present.sheets().len().max(1));
+    if let Some(page) = present.page() {
         assert_eq!(page.page, *present.settings);
     }
 }
@@ -442,7 +442,7 @@ fn check_photos(state: &Project) {
     let table: HashSet<&str> = state.tray.iter().map(|item| item.id.as_str()).collect();
     assert_eq!(table.len(), state.tray.len(), "a photo is on the table twice");
     let sheets = state.sheets();
-    for sheet in &sheets {
+    for sheet in sheets {
         assert!(photos_on(&[&sheet.page]).is_subset(&table), "a panel shows a removed photo");
         assert!(sheet.page.order.iter().all(|id| table.contains(id.as_str())));
     }
@@ -638,11 +638,15 @@ fn a_forgotten_photo_is_gone_from_the_pages_of_all_times_and_what_these_share_th
     let history = editor.history();
     assert!(history.shown.iter().all(|shown| photos_on(&[&shown.page]).is_empty()));
     assert!(history.states().all(|state| state.tray.iter().all(|item| item.id != "a")));
-    let before = history.past.iter().rev().find_map(|state| state.page.as_ref()).unwrap();
+    let before = history.past.iter().rev().find_map(|state| state.pages.edited()).unwrap();
     assert!(
-        history.past.iter().filter_map(|state| state.page.as_ref()).all(|page| Arc::ptr_eq(page, before))
+        history
+            .past
+            .iter()
+            .filter_map(|state| state.pages.edited())
+            .all(|sheet| Arc::ptr_eq(&sheet.page, &before.page))
     );
-    assert!(Arc::ptr_eq(&history.shown[0].page, before));
+    assert!(Arc::ptr_eq(&history.shown[0].page, &before.page));
     assert!(!editor.apply(&Edit::ForgetPhotos { ids: texts(&["a"]) }, &How::default()));
 }
 
@@ -761,7 +765,7 @@ fn an_album_is_spread_over_pages_in_order_in_one_style() {
     let photos = metas(40);
     let mut editor = opened(&photos);
     let before = editor.project().clone();
-    let style = before.page.as_ref().unwrap().style.clone();
+    let style = before.page().unwrap().style.clone();
     spread(&mut editor, &photos, &mut Seeds::new(5));
     // Each photo gets the panel of its page that fits best.
     let number = |id: &String| id[1..].parse::<usize>().unwrap();
@@ -774,7 +778,7 @@ fn an_album_is_spread_over_pages_in_order_in_one_style() {
     assert_eq!(sheets.len(), 7);
     assert!(sheets.iter().all(|sheet| sheet.page.style == style));
     assert!(sheets.windows(3).all(|three| three[0].page.layout != three[2].page.layout));
-    assert_eq!(sheets[0].sheet, before.sheet);
+    assert_eq!(sheets[0].sheet, before.sheet());
     editor.apply(&Edit::Undo, &How::default());
     assert_eq!(*editor.project(), before);
 }
@@ -784,7 +788,7 @@ fn spreading_takes_the_wanted_number_of_panels_or_the_locked_layout_and_keeps_wo
     let photos = metas(13);
     let mut editor = opened(&photos);
     editor.apply(&Edit::WantPanels { count: Some(4) }, &How::default());
-    let mut page = Document::clone(editor.project().page.as_ref().unwrap());
+    let mut page = Document::clone(editor.project().page().unwrap());
     page.words = vec![
         TextItem { panel: Some(5), ..TextItem::new(TextKind::Caption, "Here") },
         TextItem::new(TextKind::Effect, "BAM"),
@@ -806,7 +810,7 @@ fn spreading_takes_the_wanted_number_of_panels_or_the_locked_layout_and_keeps_wo
     assert!(words.contains(&("Here".into(), here)) && words.len() == 2, "{words:?}");
     assert!(words.iter().any(|(text, _)| text == "BAM") && first.is_some());
     editor.apply(&Edit::Lock { part: Part::Layout, on: true }, &How::default());
-    let layout = editor.project().page.as_ref().unwrap().layout.clone();
+    let layout = editor.project().page().unwrap().layout.clone();
     spread(&mut editor, &photos, &mut seeds);
     let sheets = editor.project().sheets();
     assert_eq!(shown(&editor).iter().map(Vec::len).collect::<Vec<_>>(), [4, 4, 4, 1]);
@@ -834,7 +838,7 @@ fn words_stay_with_their_photos_whatever_becomes_of_the_page() {
         let mut random = Rand64::new(u128::from(seed));
         let mut seeds = Seeds::new(seed);
         let mut editor = opened(&photos);
-        let first = editor.project().page.as_ref().unwrap().panels[0].photo.clone().unwrap();
+        let first = editor.project().page().unwrap().panels[0].photo.clone().unwrap();
         let last = photos.last().unwrap().id.clone();
         let words = vec![word_of(&first, "one"), word_of(&last, "two"), word_of("nobody", "three")];
         assert!(editor.apply(&Edit::AddWords { words: words.clone() }, &How::default()));
@@ -868,7 +872,7 @@ fn words_stay_with_their_photos_whatever_becomes_of_the_page() {
                 }
                 // The user swaps two photos.
                 3 => {
-                    let mut page = Document::clone(editor.project().page.as_ref().unwrap());
+                    let mut page = Document::clone(editor.project().page().unwrap());
                     page.merges.clear();
                     let count = page.panels.len();
                     page.panels.swap(0, count - 1);
@@ -877,7 +881,7 @@ fn words_stay_with_their_photos_whatever_becomes_of_the_page() {
                 4 => spread(&mut editor, &photos, &mut seeds),
                 // Another page is edited.
                 _ => {
-                    let sheets = editor.project().sheets();
+                    let sheets = editor.project().sheets().to_vec();
                     let at = random.rand_range(0..sheets.len() as u64) as usize;
                     editor.apply(&Edit::SetSheets { sheets, at }, &How::default());
                 }
@@ -897,7 +901,7 @@ fn words_stay_with_their_photos_whatever_becomes_of_the_page() {
 fn a_word_that_was_removed_by_hand_stays_away_and_one_moved_to_another_photo_is_of_that() {
     let photos = metas(6);
     let mut editor = opened(&photos);
-    let page = |editor: &Editor| Document::clone(editor.project().page.as_ref().unwrap());
+    let page = |editor: &Editor| Document::clone(editor.project().page().unwrap());
     let [one, two] = [0, 1].map(|panel: usize| page(&editor).panels[panel].photo.clone().unwrap());
     editor.apply(&Edit::AddWords { words: vec![word_of(&one, "a"), word_of(&one, "b")] }, &How::default());
     let mut changed = page(&editor);
@@ -941,7 +945,7 @@ fn worded(page: &Document, count: usize) -> Arc<Document> {
 fn a_large_album_has_no_more_pages_than_a_storyboard_each_with_no_more_words_than_a_page() {
     let photos = metas(2_500);
     let mut editor = opened(&photos);
-    let mut sheets = editor.project().sheets();
+    let mut sheets = editor.project().sheets().to_vec();
     let again = sheets[0].page.clone();
     sheets = (0..2)
         .map(|i| {
@@ -998,8 +1002,8 @@ fn words_that_no_page_has_room_for_are_unplaced_and_saved() {
 fn a_page_that_wants_more_photos_than_are_free_for_it_takes_from_all() {
     let (photos, editor) = two_pages();
     let planning = Planning::new(editor.project(), &photos);
-    let own = photos_on(planning.project.page.as_deref().as_slice()).len();
-    assert_eq!(planning.free(&planning.elsewhere(), planning.project.page.as_deref()).len(), own);
+    let own = photos_on(planning.project.page().as_slice()).len();
+    assert_eq!(planning.free(&planning.elsewhere(), planning.project.page()).len(), own);
     let count = |panels| {
         let mut request = planning.request(5);
         (request.keep.layout, request.keep.photos, request.panels) = (false, false, Some(panels));
@@ -1015,7 +1019,7 @@ fn a_page_that_wants_more_photos_than_are_free_for_it_takes_from_all() {
 #[test]
 fn a_photo_that_goes_out_of_use_leaves_the_other_pages_for_the_one_of_its_stack() {
     let (mut photos, mut editor) = two_pages();
-    editor.apply(&Edit::SetSheets { sheets: editor.project().sheets(), at: 1 }, &How::default());
+    editor.apply(&Edit::SetSheets { sheets: editor.project().sheets().to_vec(), at: 1 }, &How::default());
     let torn = |editor: &Editor, photos: &[PhotoMeta]| Planning::new(editor.project(), photos).torn();
     assert!(!torn(&editor, &photos));
     let gone = photos.remove(2).id;
@@ -1042,7 +1046,7 @@ fn a_photo_that_goes_out_of_use_leaves_the_other_pages_for_the_one_of_its_stack(
 fn other_paper_changes_what_it_must() {
     let (photos, mut editor) = two_pages();
     let planning = Planning::new(editor.project(), &photos);
-    let page = planning.project.page.as_deref().unwrap();
+    let page = planning.project.page().unwrap();
     let settings = &page.page;
     let wider = PageSettings { gutter: 0.03, ..settings.clone() };
     let same = planning.on_paper(page, &wider).unwrap();
@@ -1057,18 +1061,18 @@ fn other_paper_changes_what_it_must() {
     assert_eq!(none.on_paper(page, &wide).unwrap(), Document { page: wide.clone(), ..page.clone() });
     editor.apply(&Edit::Lock { part: Part::Layout, on: true }, &How::default());
     let locked = Planning::new(editor.project(), &photos);
-    let page = locked.project.page.as_deref().unwrap();
+    let page = locked.project.page().unwrap();
     assert_eq!(locked.on_paper(page, &wide).unwrap().layout, page.layout);
 }
 
 #[test]
 fn a_page_comes_back_with_photos_of_the_table_on_the_paper_of_the_others() {
     let (photos, mut editor) = two_pages();
-    let page = editor.project().page.clone().unwrap();
+    let page = editor.project().page().cloned().unwrap();
     let back = |editor: &Editor, photos: &[PhotoMeta]| {
         Planning::new(editor.project(), photos).brought_back(&page).unwrap()
     };
-    assert_eq!(back(&editor, &photos), *page);
+    assert_eq!(back(&editor, &photos), page);
     let paper = PageSettings { gutter: 0.03, ..page.page.clone() };
     let settings = Arc::new(paper.clone());
     let now = Arc::new(Document { page: paper.clone(), ..Document::clone(&page) });
@@ -1080,9 +1084,9 @@ fn a_page_comes_back_with_photos_of_the_table_on_the_paper_of_the_others() {
     // The only page of a project returns with its old paper.
     let mut alone = opened(&photos);
     let settings = Arc::new(paper);
-    let now = alone.project().page.clone();
+    let now = alone.project().page().cloned().map(Arc::new);
     alone.apply(&Edit::ChangeSettings { settings, page: now }, &How::default());
-    assert_eq!(Planning::new(alone.project(), &photos).brought_back(&page).unwrap(), *page);
+    assert_eq!(Planning::new(alone.project(), &photos).brought_back(&page).unwrap(), page);
 }
 
 /// User actions that move photos between pages. After each, a photo is on one page only, if there are enough
@@ -1102,13 +1106,13 @@ fn no_two_pages_claim_one_photo() {
                     let planning = Planning::new(editor.project(), &photos);
                     let Some(page) = planning.another(&mut seeds).unwrap() else { continue };
                     let (page_id, place) = (editor.history().fresh_page_id(), editor.history().fresh_sheet());
-                    let mut sheets = editor.project().sheets();
+                    let mut sheets = editor.project().sheets().to_vec();
                     // With too few unused photos, the page takes any photo.
                     let shown = photos_on(&sheets.iter().map(|sheet| &*sheet.page).collect::<Vec<_>>());
                     if photos.iter().filter(|photo| !shown.contains(photo.id.as_str())).count() < 2 {
                         continue;
                     }
-                    let at = editor.project().at + 1;
+                    let at = editor.project().pages.active() + 1;
                     sheets.insert(
                         at,
                         Arc::new(Sheet { page: Arc::new(page), page_id, sheet: place, rest: Map::new() }),
@@ -1144,14 +1148,14 @@ fn no_two_pages_claim_one_photo() {
                     editor.apply(&Edit::ShowPage { page: Arc::new(page), page_id }, &How::default());
                 }
                 4 => {
-                    let sheets = editor.project().sheets();
+                    let sheets = editor.project().sheets().to_vec();
                     let at = random.rand_range(0..sheets.len() as u64) as usize;
                     editor.apply(&Edit::SetSheets { sheets, at }, &How { silent: true, gesture: None });
                 }
                 _ => {
-                    let mut sheets = editor.project().sheets();
+                    let mut sheets = editor.project().sheets().to_vec();
                     if sheets.len() > 1 {
-                        sheets.remove(editor.project().at);
+                        sheets.remove(editor.project().pages.active());
                         editor.apply(&Edit::SetSheets { sheets, at: 0 }, &How::default());
                     }
                 }
@@ -1164,7 +1168,7 @@ fn no_two_pages_claim_one_photo() {
             }
             // Every panel of every page shows a photo that is in use.
             let used: HashSet<&str> = photos.iter().map(|photo| photo.id.as_str()).collect();
-            for sheet in &sheets {
+            for sheet in sheets {
                 let full =
                     |photo: &Option<String>| photo.as_deref().is_some_and(|photo| used.contains(photo));
                 assert!(sheet.page.panels.iter().all(|panel| full(&panel.photo)), "seed {seed}");
@@ -1219,8 +1223,8 @@ fn state_of(project: &Project) -> Value {
     if !told["draft"].is_null() {
         told["draft"] = part("drafts", &told["draft"]);
     }
-    told["page"] = project.page.as_ref().map_or(Value::Null, |page| json!(page.seed));
-    for (sheet, other) in told["others"].as_array_mut().unwrap().iter_mut().zip(project.others.iter()) {
+    told["page"] = project.page().map_or(Value::Null, |page| json!(page.seed));
+    for (sheet, other) in told["others"].as_array_mut().unwrap().iter_mut().zip(project.pages.others()) {
         sheet["page"] = json!(other.page.seed);
     }
     told
@@ -1256,7 +1260,7 @@ fn the_same_edits_make_what_they_made_in_the_page() {
             let (edit, how) = Edit::read(told(change), &|_| None).unwrap();
             editor.apply(&edit, &how);
             let History { past, present, future, .. } = editor.history();
-            let counts = json!([past.len(), future.len(), present.page_id, present.tray.len()]);
+            let counts = json!([past.len(), future.len(), present.page_id(), present.tray.len()]);
             assert_eq!(counts, *step, "run {number}, step {i}: {change}");
         }
         assert_eq!(

@@ -50,7 +50,7 @@ pub(crate) fn sheets(
     if list.title.trim().is_empty() {
         title.clone_into(&mut list.title);
     }
-    let style = present.page.as_ref().map_or_else(StyleRef::default, |page| page.style.clone());
+    let style = present.page().map_or_else(StyleRef::default, |page| page.style.clone());
     let request = Request {
         list,
         pictures,

@@ -9,7 +9,6 @@ use crate::masks::Masks;
 use crate::report::check_strict;
 use crate::{CliError, boards, plans, reading, report, strips};
 use inkpanel::survived;
-use inkpanel_engine::document::file::FilePhoto;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::document::sheets::photos_on;
 use inkpanel_engine::framing::Subject;
@@ -152,7 +151,12 @@ fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>
 
 /// Subjects of the photos in the file, by id.
 pub(crate) fn known(saved: &Saved) -> HashMap<String, Vec<Subject>> {
-    saved.project().photos.iter().map(|photo| (photo.id.clone(), subjects(photo))).collect()
+    saved
+        .project()
+        .photos
+        .iter()
+        .map(|photo| (photo.id.clone(), photo.subjects.clone().unwrap_or_default()))
+        .collect()
 }
 
 /// Subject masks of the photos by id: corrected, or stored detections. Styles that need other masks run the
@@ -160,12 +164,6 @@ pub(crate) fn known(saved: &Saved) -> HashMap<String, Vec<Subject>> {
 pub(crate) fn masks(saved: &Saved) -> Masks {
     let known = saved.project().masks();
     Masks::new(known.map(|(id, mask)| (id.to_owned(), mask.clone())).collect(), None)
-}
-
-/// Readable subjects of a photo in the file.
-fn subjects(photo: &FilePhoto) -> Vec<Subject> {
-    let told = photo.subjects.iter().flatten();
-    told.filter_map(|subject| serde_json::from_value(subject.clone()).ok()).collect()
 }
 
 /// A photo at full size by id; `None` if its file is missing.

@@ -22,7 +22,7 @@ impl Planning<'_> {
     /// # Errors
     /// Errors of [`Book::new`].
     pub fn book(&self, request: &Request, wish: Wish) -> Result<Option<Book>> {
-        let Some(page) = self.project.page.as_deref().filter(|_| !self.photos.is_empty()) else {
+        let Some(page) = self.project.page().filter(|_| !self.photos.is_empty()) else {
             return Ok(None);
         };
         let photos: Vec<PhotoMeta> = self.photos.iter().map(|photo| photo.meta.clone()).collect();

@@ -56,7 +56,7 @@ impl Planning<'_> {
         match intent {
             Intent::SetPaper { settings, held, .. } => return self.with_paper(settings, *held),
             Intent::Refit { grow, draw } => {
-                let before = self.project.page.as_deref();
+                let before = self.project.page();
                 return Ok(match self.refitted(*grow, draw.seed)? {
                     None => before.map(|_| Outcome::NoPage),
                     Some(next) => (before != Some(&next)).then_some(Outcome::Shown(next)),
@@ -65,7 +65,7 @@ impl Planning<'_> {
             Intent::RestoreVersion { page_id, .. } => return self.restored(*page_id, history),
             _ => {}
         }
-        let Some(page) = self.project.page.as_deref() else { return Ok(None) };
+        let Some(page) = self.project.page() else { return Ok(None) };
         match intent {
             Intent::CropPanel { panel, crop } => self.cropped(page, *panel, crop),
             Intent::SwapPanels { panel, with } => {
@@ -125,7 +125,7 @@ impl Planning<'_> {
                     layout.map(|layout| Document { layout: LayoutRef::of(&layout), ..page.clone() }),
                 )
             }
-            Intent::Recrop { sheet } => self.recropped_sheet(sheet.unwrap_or(self.project.sheet)),
+            Intent::Recrop { sheet } => self.recropped_sheet(sheet.unwrap_or(self.project.sheet())),
             Intent::RecropPhoto { photo, everywhere } => self.recropped_photo(photo, *everywhere),
             Intent::Shuffle { part, draw } => self.shuffled(page, *part, draw),
             Intent::FitLayout { draw } => {
@@ -170,14 +170,14 @@ impl Planning<'_> {
                     return Ok(None);
                 };
                 let (page_id, sheet) = history.fresh();
-                let at = self.project.at + 1;
-                let mut sheets = self.project.sheets();
+                let at = self.project.pages.active() + 1;
+                let mut sheets = self.project.sheets().to_vec();
                 let rest = Map::new();
                 sheets.insert(at, Arc::new(Sheet { page: Arc::new(page), page_id, sheet, rest }));
                 Ok(Some(Outcome::Sheets(sheets, at)))
             }
             Intent::RemovePage => {
-                let (mut sheets, at) = (self.project.sheets(), self.project.at);
+                let (mut sheets, at) = (self.project.sheets().to_vec(), self.project.pages.active());
                 if sheets.len() < 2 {
                     return Ok(None);
                 }
@@ -186,18 +186,19 @@ impl Planning<'_> {
                 Ok(Some(Outcome::Sheets(sheets, at.min(last))))
             }
             Intent::MovePage { from, to } => {
-                let mut sheets = self.project.sheets();
+                let mut sheets = self.project.sheets().to_vec();
                 if from == to || *from >= sheets.len() || *to >= sheets.len() {
                     return Ok(None);
                 }
                 let moved = sheets.remove(*from);
                 sheets.insert(*to, moved);
-                let at = sheets.iter().position(|sheet| sheet.sheet == self.project.sheet);
+                let at = sheets.iter().position(|sheet| sheet.sheet == self.project.sheet());
                 Ok(at.map(|at| Outcome::Sheets(sheets, at)))
             }
             Intent::GoToPage { at } => {
                 let sheets = self.project.sheets();
-                Ok((*at != self.project.at && *at < sheets.len()).then_some(Outcome::Sheets(sheets, *at)))
+                Ok((*at != self.project.pages.active() && *at < sheets.len())
+                    .then(|| Outcome::Sheets(sheets.to_vec(), *at)))
             }
             Intent::SpreadAlbum { draw } => {
                 if self.project.locks.photos {
@@ -277,16 +278,16 @@ impl Planning<'_> {
 
     fn with_paper(&self, settings: &PageSettings, held: bool) -> Result<Option<Outcome>> {
         settings.validate()?;
-        let Some(page) = self.project.page.as_deref() else {
+        let Some(page) = self.project.page() else {
             return Ok(Some(Outcome::Paper(settings.clone(), Vec::new())));
         };
         let mut pages = Vec::new();
-        if held && !self.project.others.is_empty() {
+        if held && self.project.has_several_pages() {
             let own = self.own_photos(page);
             let mut request = self.ordered_request(page.clone(), KEEP_ALL, page.seed);
             request.page = settings.clone();
             let Some(next) = self.plan(request, (!own.is_empty()).then_some(own))? else { return Ok(None) };
-            pages.push((self.project.at, next));
+            pages.push((self.project.pages.active(), next));
         } else {
             for (at, sheet) in self.project.sheets().iter().enumerate() {
                 pages.push((at, self.on_paper(&sheet.page, settings)?));
@@ -329,7 +330,7 @@ impl Planning<'_> {
 
     /// The pages, all in one style. Changed pages get new ids from `fresh` on.
     fn styled(&self, style: &StyleRef, fresh: u64) -> Option<Outcome> {
-        let mut sheets = self.project.sheets();
+        let mut sheets = self.project.sheets().to_vec();
         let mut changed = false;
         for (i, sheet) in sheets.iter_mut().enumerate().filter(|(_, sheet)| sheet.page.style != *style) {
             let page = Document { style: style.clone(), ..Document::clone(&sheet.page) };
@@ -337,7 +338,7 @@ impl Planning<'_> {
             *sheet = Arc::new(Sheet { page: Arc::new(page), page_id, ..Sheet::clone(sheet) });
             changed = true;
         }
-        changed.then_some(Outcome::Sheets(sheets, self.project.at))
+        changed.then_some(Outcome::Sheets(sheets, self.project.pages.active()))
     }
 
     /// An earlier version in its current form, in its place.
@@ -345,7 +346,7 @@ impl Planning<'_> {
         let Some(version) = history.shown.iter().find(|shown| shown.id == page_id) else { return Ok(None) };
         let sheets = self.project.sheets();
         let own = |sheet: &Arc<Sheet>| sheet.page_id == page_id || sheet.sheet == version.sheet;
-        let at = sheets.iter().position(own).unwrap_or(self.project.at);
+        let at = sheets.iter().position(own).unwrap_or(self.project.pages.active());
         let shows = sheets.get(at).is_some_and(|sheet| sheet.page_id == page_id);
         let page = if shows {
             None
@@ -451,25 +452,25 @@ impl Planning<'_> {
     }
 
     fn recropped_sheet(&self, place: u64) -> Result<Option<Outcome>> {
-        let mut sheets = self.project.sheets();
+        let mut sheets = self.project.sheets().to_vec();
         let Some(at) = sheets.iter().position(|sheet| sheet.sheet == place) else { return Ok(None) };
         let page = &*sheets[at].page;
-        let own = (at != self.project.at).then(|| self.own_photos(page));
+        let own = (at != self.project.pages.active()).then(|| self.own_photos(page));
         let Some(better) = self.recropped(page, own)?.filter(|better| better != page) else {
             return Ok(None);
         };
-        if at == self.project.at {
+        if at == self.project.pages.active() {
             return Ok(Some(Outcome::Changed(better)));
         }
         sheets[at] = Arc::new(Sheet { page: Arc::new(better), ..Sheet::clone(&sheets[at]) });
-        Ok(Some(Outcome::Sheets(sheets, self.project.at)))
+        Ok(Some(Outcome::Sheets(sheets, self.project.pages.active())))
     }
 
     fn recropped_photo(&self, photo: &str, everywhere: bool) -> Result<Option<Outcome>> {
-        let mut sheets = self.project.sheets();
+        let mut sheets = self.project.sheets().to_vec();
         let mut found = false;
         for (at, sheet) in sheets.iter_mut().enumerate() {
-            let edited = at == self.project.at;
+            let edited = at == self.project.pages.active();
             if !(edited || everywhere) || !photos_on(&[&sheet.page]).contains(photo) {
                 continue;
             }
@@ -486,7 +487,7 @@ impl Planning<'_> {
                 found = true;
             }
         }
-        Ok(found.then_some(Outcome::Sheets(sheets, self.project.at)))
+        Ok(found.then_some(Outcome::Sheets(sheets, self.project.pages.active())))
     }
 
     /// The photos in use that a page shows.
@@ -648,7 +649,7 @@ mod tests {
         }
 
         fn page(&self) -> Document {
-            self.editor.project().page.as_deref().unwrap().clone()
+            self.editor.project().page().unwrap().clone()
         }
 
         fn photos(&self) -> String {
@@ -834,9 +835,9 @@ mod tests {
     #[test]
     fn a_photo_gets_new_crops_here_or_everywhere() {
         let mut desk = Desk::new();
-        let page = desk.editor.project().page.clone().unwrap();
+        let page = desk.editor.project().page().cloned().unwrap();
         let edited = |locked: bool| {
-            let mut page = page.as_ref().clone();
+            let mut page = page.clone();
             page.panels[0].crop = Some(Crop { x: 0.1, y: 0.1, width: 0.3, height: 0.3 });
             (page.panels[0].edited, page.panels[0].locked) = (true, locked);
             Arc::new(page)
@@ -867,7 +868,7 @@ mod tests {
         assert_eq!(desk.page(), other.page());
         assert_eq!((&desk.page().layout, &desk.page().style), (&before.layout, &before.style));
         assert_ne!(desk.photos(), "abcd");
-        assert_eq!(desk.editor.project().page_id, 2);
+        assert_eq!(desk.editor.project().page_id(), 2);
         desk.does(&json!({ "type": "lock", "part": "style", "on": true }));
         assert!(!desk.does(&shuffle("style", 6)));
         assert!(desk.does(&shuffle("all", 7)));
@@ -891,9 +892,14 @@ mod tests {
     #[test]
     fn new_paper_changes_all_pages_or_only_the_current_one_during_a_drag() {
         let mut desk = Desk::new();
-        let page = desk.editor.project().page.clone().unwrap();
+        let page = desk.editor.project().page().cloned().unwrap();
         let sheet = |id: u64| {
-            Arc::new(Sheet { page: page.clone(), page_id: id, sheet: id, rest: serde_json::Map::new() })
+            Arc::new(Sheet {
+                page: Arc::new(page.clone()),
+                page_id: id,
+                sheet: id,
+                rest: serde_json::Map::new(),
+            })
         };
         desk.editor.apply(&Edit::SetSheets { sheets: vec![sheet(1), sheet(2)], at: 1 }, &How::default());
         let steps = desk.steps();
@@ -918,10 +924,10 @@ mod tests {
         assert!(!desk.photos().contains('d'));
         let photos = std::mem::take(&mut desk.photos);
         assert!(desk.does(&refit));
-        assert!(desk.editor.project().page.is_none());
+        assert!(desk.editor.project().page().is_none());
         desk.photos = photos;
         assert!(desk.does(&refit));
-        assert!(desk.editor.project().page.is_some());
+        assert!(desk.editor.project().page().is_some());
     }
 
     #[test]
@@ -932,7 +938,7 @@ mod tests {
         desk.editor.apply(&Edit::AddPhotos { ids }, &How::default());
         let places = |desk: &Desk| -> (Vec<u64>, usize) {
             let project = desk.editor.project();
-            (project.sheets().iter().map(|sheet| sheet.sheet).collect(), project.at)
+            (project.sheets().iter().map(|sheet| sheet.sheet).collect(), project.pages.active())
         };
         assert!(!desk.does(&json!({ "type": "remove-page" })));
         assert!(desk.does(&json!({ "type": "add-page", "draw": { "seed": 4 } })));
@@ -966,10 +972,10 @@ mod tests {
         let first = desk.page();
         desk.does(&json!({ "type": "shuffle", "part": "photos", "draw": { "seed": 5 } }));
         desk.does(&json!({ "type": "add-page", "draw": { "seed": 4 } }));
-        assert_eq!(desk.editor.project().at, 1);
+        assert_eq!(desk.editor.project().pages.active(), 1);
         let steps = desk.steps();
         assert!(desk.does(&json!({ "type": "restore-version", "pageId": 1 })));
-        assert_eq!((desk.page(), desk.editor.project().at, desk.steps()), (first, 0, steps + 1));
+        assert_eq!((desk.page(), desk.editor.project().pages.active(), desk.steps()), (first, 0, steps + 1));
         assert!(!desk.does(&json!({ "type": "restore-version", "pageId": 1 })));
         assert!(!desk.does(&json!({ "type": "restore-version", "pageId": 99 })));
     }

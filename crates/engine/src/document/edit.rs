@@ -7,6 +7,7 @@ use super::limits::{
     MOST_STYLES, MOST_WAITING, MOST_WANTED, MOST_WORDS,
 };
 use super::project::{self, Focus, List, Order, Project, Sheet, Styling, TrayItem};
+use super::sheets::Pages;
 use super::shots::{self, Board, Shot};
 use super::{following, own, pages, sheets};
 use crate::json::fields::whole_of;
@@ -17,7 +18,7 @@ use crate::page::words::TextItem;
 use crate::page::words::model::NewText;
 use crate::page::{CustomFile, Document};
 use crate::raster::Matte;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -325,7 +326,7 @@ impl Project {
             Edit::MaskPhoto { id, mask, found } => {
                 next.tray = self.with_mask(id, mask.as_ref())?;
                 let figure = mask.as_ref().or(found.as_ref());
-                next.each_page(&mut |page| sheets::with_figures(page, id, figure).map(Arc::new));
+                next.pages.each(&mut |_, page| sheets::with_figures(page, id, figure).map(Arc::new));
             }
             Edit::DescribeShots { shots } => next.tray = self.with_shots(shots)?,
             Edit::SetBoard { board } => {
@@ -355,24 +356,26 @@ impl Project {
                 next.panels = *count;
             }
             Edit::ShowPage { page, page_id } => {
-                next.show(page);
-                next.page_id = *page_id;
+                let sheet =
+                    Sheet { page: page.clone(), page_id: *page_id, sheet: self.sheet(), rest: Map::new() };
+                next.pages.replace_sheet(sheet);
+                next.follow_paper();
             }
             Edit::ChangePage { page } => {
-                self.page.as_ref()?;
-                next.show(page);
+                self.page()?;
+                next.pages.replace(page.clone());
+                next.follow_paper();
             }
             Edit::ChangeSettings { settings, page } => {
                 next.settings = settings.clone();
-                next.page.clone_from(page);
-                if page.is_none() {
-                    next.others = Arc::new([]);
-                    next.at = 0;
+                match page {
+                    Some(page) => next.pages.replace(page.clone()),
+                    None => next.pages = Pages::default(),
                 }
             }
-            Edit::SetSheets { sheets, at } => next.set_sheets(sheets, *at)?,
+            Edit::SetSheets { sheets, at } => next.set_pages(sheets, *at)?,
             Edit::SetWords { pages } => {
-                next.each_numbered_page(&mut |at, page| {
+                next.pages.each(&mut |at, page| {
                     let (_, words) = pages.iter().find(|(place, _)| *place == at)?;
                     let words: Vec<TextItem> = words.iter().map(|word| tied(word, &page.panels)).collect();
                     (words != page.words).then(|| Arc::new(Document { words, ..Document::clone(page) }))
@@ -381,9 +384,8 @@ impl Project {
             Edit::AddWords { words } => return self.with_words(words),
             Edit::DropWaiting { words } => return self.without_waiting(words),
             Edit::NoPage => {
-                next.page.take()?;
-                next.others = Arc::new([]);
-                next.at = 0;
+                self.page()?;
+                next.pages = Pages::default();
             }
             Edit::Design { draft } => next.draft.clone_from(draft),
             Edit::OwnStyles { mine } => next.mine = own::reusing(&self.mine, mine),
@@ -411,7 +413,8 @@ impl Project {
         ) {
             // A page that was shown before may have photos that are no longer on the table.
             let table: HashSet<&str> = self.tray.iter().map(|item| item.id.as_str()).collect();
-            next.each_page(&mut |page| sheets::without(page, &|photo| !table.contains(photo)).map(Arc::new));
+            next.pages
+                .each(&mut |_, page| sheets::without(page, &|photo| !table.contains(photo)).map(Arc::new));
             following::follow(self, &mut next);
         }
         Some(next)
@@ -420,13 +423,6 @@ impl Project {
     /// Without some photos, on the table and on the pages. Pages never show photos that are not in the tray.
     fn without(&self, ids: &[String]) -> Option<Self> {
         Without::new(ids).state(self)
-    }
-
-    fn show(&mut self, page: &Arc<Document>) {
-        self.page = Some(page.clone());
-        if *self.settings != page.page {
-            self.settings = Arc::new(page.page.clone());
-        }
     }
 
     /// The tray with new photos. `None` if all exist or the tray is full.
@@ -469,7 +465,7 @@ impl Project {
                     ..item.clone()
                 })
             });
-            self.each_page(&mut |page| sheets::exchanged(page, id, by).map(Arc::new));
+            self.pages.each(&mut |_, page| sheets::exchanged(page, id, by).map(Arc::new));
             self.words_exchanged(id, by);
             if self.board.order.iter().any(|other| other == id) {
                 let board = Arc::make_mut(&mut self.board);
@@ -522,7 +518,7 @@ impl<'a> Without<'a> {
         if let Some(tray) = tray {
             next.tray = tray;
         }
-        next.each_page(&mut |page| {
+        next.pages.each(&mut |_, page| {
             let page = self.page(page);
             changed |= page.is_some();
             page

@@ -62,11 +62,11 @@ impl Editor {
         let before = std::mem::replace(&mut history.present, Arc::new(next));
         if *edit == Edit::NoPage && how.silent {
             // A first page without readable photos does not count.
-            history.shown.retain(|shown| shown.id != before.page_id);
+            history.shown.retain(|shown| shown.id != before.page_id());
             return true;
         }
-        let same = before.page.is_some() && before.sheet == history.present.sheet;
-        history.note(same.then_some(before.page_id));
+        let same = before.page().is_some() && before.sheet() == history.present.sheet();
+        history.note(same.then_some(before.page_id()));
         if how.silent {
             return true;
         }
@@ -101,8 +101,9 @@ impl Editor {
             Some(Outcome::NoPage) => vec![Edit::NoPage],
             Some(Outcome::Version { page, page_id, at }) => {
                 let mut changed = false;
-                if at != self.project().at {
-                    changed |= self.apply(&Edit::SetSheets { sheets: self.project().sheets(), at }, &turns);
+                if at != self.project().pages.active() {
+                    changed |=
+                        self.apply(&Edit::SetSheets { sheets: self.project().sheets().to_vec(), at }, &turns);
                 }
                 return Ok(
                     page.is_some_and(|page| self.apply(&Edit::ShowPage { page, page_id }, how)) || changed
@@ -118,8 +119,8 @@ impl Editor {
 
     /// The edits that change the page settings and pages, each with its index in the storyboard.
     fn on_paper(&self, settings: PageSettings, made: Vec<(usize, Document)>) -> Result<Vec<Edit>> {
-        let at = self.project().at;
-        let mut sheets = self.project().sheets();
+        let at = self.project().pages.active();
+        let mut sheets = self.project().sheets().to_vec();
         let several = made.len() > 1;
         for (place, page) in made {
             sheets[place] = Arc::new(Sheet { page: pages::planned(page)?, ..Sheet::clone(&sheets[place]) });
@@ -144,7 +145,7 @@ impl Editor {
             Some(Outcome::Changed(page) | Outcome::Shown(page)) => pages::planned(page)?,
             Some(Outcome::Sheets(sheets, at)) => sheets[at].page.clone(),
             Some(Outcome::Paper(_, made)) => {
-                match made.into_iter().find(|(at, _)| *at == self.project().at) {
+                match made.into_iter().find(|(at, _)| *at == self.project().pages.active()) {
                     Some((_, page)) => pages::planned(page)?,
                     None => return Ok("null".into()),
                 }
@@ -276,14 +277,14 @@ impl Editor {
 impl History {
     /// The versions of the present page. In a project of one page, all pages of the page history.
     pub fn versions(&self) -> impl Iterator<Item = &Arc<Shown>> {
-        self.shown.iter().filter(|shown| shown.sheet == self.present.sheet)
+        self.shown.iter().filter(|shown| shown.sheet == self.present.sheet())
     }
 
     /// Index of the present page among its versions.
     #[must_use]
     pub fn position(&self) -> Option<usize> {
-        self.present.page.as_ref()?;
-        self.versions().position(|shown| shown.id == self.present.page_id)
+        self.present.page()?;
+        self.versions().position(|shown| shown.id == self.present.page_id())
     }
 
     /// A page id that was never used, nor any above it.
@@ -307,8 +308,7 @@ impl History {
             used(shown.id, shown.sheet);
         }
         for state in self.states() {
-            used(state.page_id, state.sheet);
-            for sheet in state.others.iter() {
+            for sheet in state.sheets() {
                 used(sheet.page_id, sheet.sheet);
             }
         }
@@ -325,8 +325,8 @@ impl History {
     fn note(&mut self, from: Option<u64>) {
         let present = self.present.clone();
         let sheets = present.sheets();
-        for sheet in &sheets {
-            let from = from.filter(|_| sheet.sheet == present.sheet);
+        for sheet in sheets {
+            let from = from.filter(|_| sheet.sheet == present.sheet());
             if let Some(at) = self.shown.iter().position(|shown| shown.id == sheet.page_id) {
                 let shown = &mut self.shown[at];
                 if !(Arc::ptr_eq(&shown.page, &sheet.page) || *shown.page == *sheet.page)

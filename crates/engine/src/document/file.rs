@@ -13,7 +13,7 @@ use super::project::{self, List, Parts, Sheet, TrayItem};
 use super::shots::Board;
 use super::{Dropped, VERSION, pages, refusal, version};
 use crate::error::Result;
-use crate::framing::{Expression, FacePoints};
+use crate::framing::{Expression, Subject};
 use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::output::shots::timecode::StartTimecode;
@@ -69,8 +69,7 @@ pub struct FilePhoto {
     /// Whether it is compared with other photos.
     pub measured: bool,
     /// Detected subjects; `None` before detection.
-    #[cfg_attr(test, ts(as = "Option<Vec<crate::framing::Subject>>"))]
-    pub subjects: Option<Vec<Value>>,
+    pub subjects: Option<Vec<Subject>>,
     /// Subject mask.
     #[cfg_attr(test, ts(type = "string", optional))]
     pub mask: Option<Matte>,
@@ -181,14 +180,11 @@ impl ProjectFile {
             photo.video = photo.video.as_ref().map(|key| keys.of(key));
         }
         let present = Arc::make_mut(&mut self.history.present);
-        if let Some(page) = &mut present.page {
-            names.on(page);
-        }
-        let mut others = present.others.to_vec();
-        for sheet in &mut others {
-            names.on(&mut Arc::make_mut(sheet).page);
-        }
-        present.others = others.into();
+        present.pages.each(&mut |_, page| {
+            let mut page = page.clone();
+            names.on(&mut page);
+            Some(page)
+        });
         let mut waiting = present.waiting.to_vec();
         for word in &mut waiting {
             names.of_word(Arc::make_mut(word));
@@ -311,7 +307,7 @@ impl FilePhoto {
             time,
             shot,
             measured,
-            subjects: subjects.filter(|subjects| subjects.iter().all(is_subject)),
+            subjects: subjects.and_then(|subjects| subjects.into_iter().map(subject).collect()),
             mask: mask.and_then(|mask| Matte::try_from(mask).ok()),
             rank: fields.whole("rank", 0, u64::from(u32::MAX)).unwrap_or_default(),
             like: fields.take("like").and_then(|like| Likeness::read(like).ok()),
@@ -338,7 +334,7 @@ impl FilePhoto {
         }
         out.key("measured").flag(self.measured);
         match &self.subjects {
-            Some(subjects) => out.key("subjects").list(subjects, &|out, subject| out.value(subject)),
+            Some(subjects) => out.key("subjects").list(subjects, &|out, subject| out.put(subject)),
             None => out.key("subjects").null(),
         }
         if let Some(mask) = &self.mask {
@@ -357,21 +353,15 @@ impl FilePhoto {
     }
 }
 
-fn is_subject(value: &Value) -> bool {
-    let part = |name: &str| value[name].as_f64().is_some_and(|part| (-1.0..=2.0).contains(&part));
-    // Projects of older versions have no points.
-    let points = value.get("points").is_none_or(|points| {
-        serde_json::from_value::<FacePoints>(points.clone())
-            .is_ok_and(|points| points.iter().flatten().all(|part| (-1.0..=2.0).contains(part)))
-    });
-    // Neither have they expressions.
-    let expression = value.get("expression").is_none_or(|expression| {
-        serde_json::from_value::<Expression>(expression.clone()).is_ok_and(|expression| expression.is_sound())
-    });
-    points
-        && expression
-        && value["label"].is_string()
-        && ["score", "x", "y", "width", "height"].into_iter().all(part)
+fn subject(value: Value) -> Option<Subject> {
+    serde_json::from_value(value).ok().filter(is_valid)
+}
+
+fn is_valid(subject: &Subject) -> bool {
+    let Subject { x, y, width, height, score, points, expression, .. } = subject;
+    let mut numbers = [x, y, width, height, score].into_iter().chain(points.iter().flatten().flatten());
+    numbers.all(|number| (-1.0..=2.0).contains(number))
+        && expression.as_ref().is_none_or(Expression::is_sound)
 }
 
 impl Likeness {

@@ -14,23 +14,19 @@ use std::sync::Arc;
 /// After an edit of pages, moves each text item to the page of its photo. `before`: the state that was
 /// edited.
 pub(super) fn follow(before: &Project, next: &mut Project) {
-    let sheets = before.sheets();
-    let has_words = |project: &Project| {
-        let mut own = project.page.iter().chain(project.others.iter().map(|sheet| &sheet.page));
-        own.any(|page| !page.words.is_empty())
-    };
+    let has_words = |project: &Project| project.sheets().iter().any(|sheet| !sheet.page.words.is_empty());
     if next.waiting.is_empty() && !has_words(next) && !has_words(before) {
         return;
     }
     let mut away: Vec<Arc<TextItem>> = next.waiting.to_vec();
-    next.each_page(&mut |page| {
+    next.pages.each(&mut |_, page| {
         let (stay, leave) = carried(&page.words, &page.panels);
         away.extend(leave.into_iter().filter(|word| !word.made).map(Arc::new));
         (stay != page.words).then(|| Arc::new(Document { words: stay, ..Document::clone(page) }))
     });
     let seen = places(next);
     // Restores text items whose photo was on no page. If the photo stayed, the user deleted the item.
-    for sheet in &sheets {
+    for sheet in before.sheets() {
         for word in sheet.page.words.iter().filter(|word| !word.made) {
             let gone = photo_of(word, &sheet.page.panels).is_some_and(|photo| !seen.contains_key(photo));
             if gone {
@@ -55,7 +51,7 @@ fn settle(next: &mut Project, away: Vec<Arc<TextItem>>, seen: &HashMap<String, u
         }
     }
     if !coming.is_empty() {
-        next.each_numbered_page(&mut |place, page| {
+        next.pages.each(&mut |place, page| {
             let own: Vec<TextItem> = coming
                 .iter()
                 .filter(|(page, _)| *page == place)
@@ -170,7 +166,7 @@ impl Project {
             return None;
         }
         let mut next = self.clone();
-        next.each_numbered_page(&mut |place, page| {
+        next.pages.each(&mut |place, page| {
             let mut own = pages.get_mut(place).map(std::mem::take).filter(|own| !own.is_empty())?;
             let mut page = Document::clone(page);
             let room = MOST_WORDS.saturating_sub(page.words.len());
@@ -208,7 +204,7 @@ impl Project {
             let renamed = || TextItem { photo: Some(by.to_owned()), ..word.clone() };
             (word.photo.as_deref() == Some(id)).then(renamed)
         };
-        self.each_page(&mut |page| {
+        self.pages.each(&mut |_, page| {
             page.words.iter().any(|word| changed(word).is_some()).then(|| {
                 let words =
                     page.words.iter().map(|word| changed(word).unwrap_or_else(|| word.clone())).collect();

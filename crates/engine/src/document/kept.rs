@@ -22,6 +22,7 @@ use super::limits::{
     HISTORY, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS, MOST_SHOWN, MOST_STEPS, MOST_STYLES, MOST_WAITING,
 };
 use super::project::{self, List, Order, Parts, Project, Sheet, TrayItem};
+use super::sheets::Pages;
 use super::shots::Board;
 use super::{Dropped, VERSION, leave_out, own, pages, refusal, version};
 use crate::error::Result;
@@ -338,6 +339,7 @@ const TABLES: [&str; 14] = [
 const ITEMS: usize = 0;
 const PAGES: usize = 2;
 const SHEETS: usize = 3;
+const BOOKS: usize = 4;
 const STYLES: usize = 5;
 const LAYOUTS: usize = 7;
 const SETTINGS: usize = 9;
@@ -358,7 +360,19 @@ fn same_option<T: PartialEq>(a: Option<&Arc<T>>, b: Option<&Arc<T>>) -> bool {
 }
 
 fn same_list<T: PartialEq>(a: &List<T>, b: &List<T>) -> bool {
-    Arc::ptr_eq(a, b) || (a.len() == b.len() && a.iter().zip(b.iter()).all(|(a, b)| same(a, b)))
+    Arc::ptr_eq(a, b) || same_items(a.iter(), b.iter())
+}
+
+fn same_items<'a, T: PartialEq + 'a>(
+    mut a: impl Iterator<Item = &'a Arc<T>>,
+    mut b: impl Iterator<Item = &'a Arc<T>>,
+) -> bool {
+    loop {
+        match (a.next(), b.next()) {
+            (Some(a), Some(b)) if same(a, b) => {}
+            (a, b) => return a.is_none() && b.is_none(),
+        }
+    }
 }
 
 /// Writes states. It finds parts of existing tables by their addresses.
@@ -366,6 +380,8 @@ fn same_list<T: PartialEq>(a: &List<T>, b: &List<T>) -> bool {
 pub(super) struct Interner {
     inline: bool,
     known: HashMap<usize, u64>,
+    /// Indices in the table `books`, by the addresses of the pages.
+    books: HashMap<Vec<usize>, u64>,
     tables: [(Writer, u64); TABLES.len()],
 }
 
@@ -379,11 +395,10 @@ impl Interner {
     fn knowing(history: &History) -> Self {
         let mut parts = Self::default();
         let present = &history.present;
-        let others = || present.others.iter();
-        let pages = present.page.iter().chain(others().map(|sheet| &sheet.page));
+        let pages = present.pages.edited().into_iter().chain(present.pages.others()).map(|sheet| &sheet.page);
         parts.know(ITEMS, present.tray.iter());
         parts.know(PAGES, pages.chain(history.shown.iter().map(|shown| &shown.page)));
-        parts.know(SHEETS, others());
+        parts.know(SHEETS, present.pages.others());
         parts.know(STYLES, present.mine.iter().chain(present.favourites.iter()));
         parts.know(LAYOUTS, present.own_layouts.iter());
         parts.know(SETTINGS, [&present.settings].into_iter());
@@ -437,32 +452,26 @@ impl Interner {
         if fresh(&|was| same(&was.settings, &state.settings)) {
             self.part(out.key("settings"), SETTINGS, &state.settings, &|_, out, settings| out.put(settings));
         }
-        if fresh(&|was| same_option(was.page.as_ref(), state.page.as_ref())) {
-            match &state.page {
-                Some(page) => self.page(out.key("page"), page),
+        let page = |state: &'_ Project| state.pages.edited().map(|sheet| sheet.page.clone());
+        if fresh(&|was| same_option(page(was).as_ref(), page(state).as_ref())) {
+            match state.pages.edited() {
+                Some(sheet) => self.page(out.key("page"), &sheet.page),
                 None => out.key("page").null(),
             }
         }
         for (name, same, id) in [
-            ("pageId", fresh(&|was| was.page_id == state.page_id), state.page_id),
-            ("sheet", fresh(&|was| was.sheet == state.sheet), state.sheet),
+            ("pageId", fresh(&|was| was.page_id() == state.page_id()), state.page_id()),
+            ("sheet", fresh(&|was| was.sheet() == state.sheet()), state.sheet()),
         ] {
             if same {
                 out.key(name).whole(id);
             }
         }
-        if fresh(&|was| same_list(&was.others, &state.others)) {
-            self.list(out.key("others"), SHEETS, &state.others, &|parts, out, sheet: &Sheet| {
-                out.open(b'{');
-                parts.page(out.key("page"), &sheet.page);
-                out.key("pageId").whole(sheet.page_id);
-                out.key("sheet").whole(sheet.sheet);
-                out.rest(&sheet.rest);
-                out.close(b'}');
-            });
+        if fresh(&|was| same_items(was.pages.others(), state.pages.others())) {
+            self.others(out.key("others"), &state.pages);
         }
-        if fresh(&|was| was.at == state.at) {
-            out.key("at").whole(state.at as u64);
+        if fresh(&|was| was.pages.active() == state.pages.active()) {
+            out.key("at").whole(state.pages.active() as u64);
         }
         if fresh(&|was| same_option(was.draft.as_ref(), state.draft.as_ref())) {
             match &state.draft {
@@ -538,6 +547,34 @@ impl Interner {
         self.part(out, PAGES, page, &|_, out, page| out.put(page));
     }
 
+    /// The pages that are not edited, as a list or its index. Equal lists share one index.
+    fn others(&mut self, out: &mut Writer, pages: &Pages) {
+        let key = addresses(pages.others());
+        if let Some(index) = self.books.get(&key).filter(|_| !self.inline) {
+            return out.whole(*index);
+        }
+        let mut list = Writer::default();
+        list.open(b'[');
+        for sheet in pages.others() {
+            list.item();
+            self.part(&mut list, SHEETS, sheet, &|parts, out, sheet| {
+                out.open(b'{');
+                parts.page(out.key("page"), &sheet.page);
+                out.key("pageId").whole(sheet.page_id);
+                out.key("sheet").whole(sheet.sheet);
+                out.rest(&sheet.rest);
+                out.close(b'}');
+            });
+        }
+        list.close(b']');
+        if self.inline {
+            return out.append(&list);
+        }
+        let index = self.add(BOOKS, &list);
+        self.books.insert(key, index);
+        out.whole(index);
+    }
+
     /// A part, or its index in a table.
     fn part<T>(
         &mut self,
@@ -583,14 +620,19 @@ impl Interner {
         }
         let mut fresh = Writer::default();
         write(self, &mut fresh);
+        let index = self.add(table, &fresh);
+        self.known.insert(address, index);
+        out.whole(index);
+    }
+
+    /// Adds an entry to a table and returns its index.
+    fn add(&mut self, table: usize, entry: &Writer) -> u64 {
         let (entries, count) = &mut self.tables[table];
         if !entries.is_empty() {
             entries.open(b',');
         }
-        entries.append(&fresh);
-        let index = *count;
+        entries.append(entry);
         *count += 1;
-        self.known.insert(address, index);
-        out.whole(index);
+        *count - 1
     }
 }

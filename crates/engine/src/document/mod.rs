@@ -14,7 +14,7 @@
 //! | [`intent`] | edits of pages that the planner carries out |
 //! | [`carrying_out`] | the pages that intents ask for |
 //! | [`editor`] | applies edits, undo and redo |
-//! | [`sheets`] | the pages of a storyboard as one list |
+//! | [`sheets`] | the pages of a storyboard, and which one is edited |
 //! | [`own`] | lists shared by all projects |
 //! | [`planning`] | planning of pages from unused photos |
 //! | [`spreading`] | distribution of an album over pages |

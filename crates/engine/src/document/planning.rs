@@ -108,7 +108,7 @@ impl<'p> Planning<'p> {
     /// Adds the other pages of the storyboard and the earlier versions of the current page to the memory.
     #[must_use]
     pub fn with_memory(mut self, history: &History) -> Self {
-        let others = self.project.others.iter().map(|sheet| &*sheet.page);
+        let others = self.project.pages.others().map(|sheet| &*sheet.page);
         let versions: Vec<&Document> = history.versions().map(|shown| &*shown.page).collect();
         let from = versions.len().saturating_sub(turns::PAGES);
         self.recent = others.chain(versions[from..].iter().copied()).map(seen_on).collect();
@@ -149,7 +149,7 @@ impl<'p> Planning<'p> {
     /// A request for the current page, with everything locked.
     #[must_use]
     pub fn request(&self, seed: u32) -> Request {
-        self.request_for(self.project.page.as_deref().cloned(), KEEP_ALL, seed)
+        self.request_for(self.project.page().cloned(), KEEP_ALL, seed)
     }
 
     /// A request for a page, or for a new one, with the settings of the project.
@@ -184,7 +184,7 @@ impl<'p> Planning<'p> {
         if !request.keep.layout && request.layout.is_none() && request.panels.is_none() {
             // Without a fixed layout, the page has the requested number of panels, or a panel for each locked
             // photo.
-            let locked = project.page.as_ref().filter(|_| project.locks.photos).map(|page| places_of(page));
+            let locked = project.page().filter(|_| project.locks.photos).map(places_of);
             request.panels = project.panels.map(|panels| panels as usize).or(locked);
         }
         let photos = match photos {
@@ -200,13 +200,13 @@ impl<'p> Planning<'p> {
     /// # Errors
     /// Errors of [`shuffle::plan`].
     pub fn refitted(&self, grow: bool, seed: u32) -> Result<Option<Document>> {
-        let Project { page, locks, panels, others, .. } = self.project;
-        if let Some(page) = page.as_ref().filter(|_| !others.is_empty()) {
+        let Project { locks, panels, .. } = self.project;
+        let page = self.project.page();
+        if let Some(page) = page.filter(|_| self.project.has_several_pages()) {
             return self.refitted_among(page);
         }
-        let enough = page.as_ref().is_some_and(|page| self.photos.len() >= page.panels.len());
-        let wanted =
-            panels.is_some_and(|count| page.as_ref().is_some_and(|page| page.panels.len() == count as usize));
+        let enough = page.is_some_and(|page| self.photos.len() >= page.panels.len());
+        let wanted = panels.is_some_and(|count| page.is_some_and(|page| page.panels.len() == count as usize));
         let layout = locks.layout || wanted || (enough && !grow);
         let mut request = self.request(seed);
         request.keep = Keep { layout, style: true, photos: locks.photos || !grow };
@@ -241,7 +241,7 @@ impl<'p> Planning<'p> {
         let own: Vec<Known> =
             self.photos.iter().filter(|photo| shown.contains(photo.id())).copied().collect();
         // The photos of a page among others stay on it, whatever layout it gets.
-        let own = (!self.project.others.is_empty() && !own.is_empty()).then_some(own);
+        let own = (self.project.has_several_pages() && !own.is_empty()).then_some(own);
         let count = own.as_ref().map_or_else(|| places_of(page), Vec::len);
         let planned = |layout: bool| {
             let mut request = self.request_for(Some(page.clone()), Keep { layout, ..KEEP_ALL }, page.seed);
@@ -273,7 +273,7 @@ impl<'p> Planning<'p> {
             page = self.plan(request, None)?.unwrap_or(page);
         }
         let settings = &*self.project.settings;
-        if self.project.others.is_empty() || page.page == *settings {
+        if !self.project.has_several_pages() || page.page == *settings {
             return Ok(page);
         }
         self.on_paper(&page, settings)
@@ -296,7 +296,7 @@ impl<'p> Planning<'p> {
     /// All pages except the current one.
     #[must_use]
     pub fn elsewhere(&self) -> Vec<&'p Document> {
-        self.project.others.iter().map(|sheet| &*sheet.page).collect()
+        self.project.pages.others().map(|sheet| &*sheet.page).collect()
     }
 
     /// Returns the photos of a page. If no photo is left over, sets the number of panels too.

@@ -4,6 +4,7 @@
 
 use super::draft::Draft;
 use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_LOVED, MOST_WANTED};
+use super::sheets::Pages;
 use super::shots::{Board, Shot};
 use crate::json::{Fields, Read, Writer, Wrong, fields};
 use crate::layout::PageSettings;
@@ -40,16 +41,9 @@ pub struct Project {
     pub panels: Option<u32>,
     /// Size, gutters and colours.
     pub settings: Arc<PageSettings>,
-    /// The page that is edited; `None` without pages.
-    pub page: Option<Arc<Document>>,
-    /// Id of the page in the page history.
-    pub page_id: u64,
-    /// Names its place in the storyboard through all its versions.
-    pub sheet: u64,
-    /// The other pages of the storyboard, in order.
-    pub others: List<Sheet>,
-    /// Number of pages before the current page.
-    pub at: usize,
+    /// The pages of the storyboard, and which one is edited.
+    #[cfg_attr(test, ts(flatten))]
+    pub pages: Pages,
     /// The style in the designer.
     pub draft: Option<Arc<Draft>>,
     /// Unplaced text items. They return with their photos.
@@ -185,11 +179,7 @@ impl Default for Project {
             panels: None,
             // People look at most comics on screens.
             settings: Arc::new(PageSettings { for_screens: true, ..PageSettings::default() }),
-            page: None,
-            page_id: 0,
-            sheet: 0,
-            others: Arc::new([]),
-            at: 0,
+            pages: Pages::default(),
             draft: None,
             waiting: Arc::new([]),
             mine: Arc::new([]),
@@ -233,10 +223,6 @@ impl Project {
         }
         state.order = fields.part("order", &mut |order| Order::read(&order))?.unwrap_or_default();
         state.panels = fields.nullable("panels").whole("panels", 1, MOST_WANTED)?.map(|panels| panels as u32);
-        for (name, id) in [("pageId", &mut state.page_id), ("sheet", &mut state.sheet)] {
-            *id = fields.whole(name, 0, GREATEST_ID)?.unwrap_or_default();
-        }
-        state.at = fields.whole("at", 0, GREATEST_ID)?.unwrap_or_default() as usize;
         let id = |id| fields::whole_of(&id, 0, GREATEST_ID);
         state.loved = fields.each("loved", MOST_LOVED, &id)?.into();
         if let Some(tray) = fields.part("tray", &mut |value| parts.tray(value))? {
@@ -244,9 +230,6 @@ impl Project {
         }
         if let Some(settings) = fields.part("settings", &mut |value| parts.settings(value))? {
             state.settings = settings;
-        }
-        if let Some(others) = fields.part("others", &mut |value| parts.sheets(value))? {
-            state.others = others;
         }
         // Older programs may have dropped the table of unplaced text.
         let waiting = fields.take("waiting").and_then(|value| parts.waiting(value).ok());
@@ -271,24 +254,10 @@ impl Project {
         if let Some(board) = fields.nullable("board").part("board", &mut |value| parts.board(value))? {
             state.board = board;
         }
-        state.page = fields.nullable("page").part("page", &mut |value| parts.page(value))?;
+        state.pages = Pages::read(&mut fields, parts)?;
         state.draft = fields.nullable("draft").part("draft", &mut |value| parts.draft(value))?;
         state.rest = fields.rest();
-        state.check_sheets()?;
         Ok(state)
-    }
-
-    fn check_sheets(&self) -> Read<()> {
-        if self.at > self.others.len() || (self.page.is_none() && !self.others.is_empty()) {
-            return Err(Wrong::new("is not the index of a page").at("at"));
-        }
-        let mut seen = HashSet::from([self.sheet]);
-        for (i, other) in self.others.iter().enumerate() {
-            if !seen.insert(other.sheet) {
-                return Err(Wrong::new("is a duplicate page").at("sheet").in_list(i).at("others"));
-            }
-        }
-        Ok(())
     }
 }
 

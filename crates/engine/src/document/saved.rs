@@ -82,7 +82,7 @@ impl Saved {
         let text = chunk.is_whole(bytes).then(|| text_of(chunk.data(bytes))).flatten();
         let text = text.ok_or_else(|| damaged("page", "its project is damaged"))?;
         let project = ProjectFile::parse(&text)?;
-        if project.history.present.page.is_none() {
+        if project.history.present.page().is_none() {
             return Err(damaged("present.page", "is missing"));
         }
         // A part that is broken costs the photos, which are then missing.
@@ -107,7 +107,7 @@ impl Saved {
     #[must_use]
     pub fn pages(&self) -> (Vec<Arc<Document>>, usize) {
         let present = &self.project.history.present;
-        (present.sheets().iter().map(|sheet| sheet.page.clone()).collect(), present.at)
+        (present.sheets().iter().map(|sheet| sheet.page.clone()).collect(), present.pages.active())
     }
 
     /// Metadata of a photo, or `None` if the file does not list it.

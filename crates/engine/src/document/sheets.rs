@@ -1,8 +1,8 @@
-//! The pages of a storyboard. A project stores the current page separately, so edits of the page do not
-//! depend on the other pages. Here all pages are one list in reading order.
+//! The pages of a storyboard.
 
-use super::project::{Project, Sheet};
-use crate::json::Writer;
+use super::limits::GREATEST_ID;
+use super::project::{List, Parts, Project, Sheet};
+use crate::json::{Fields, Read, Writer, Wrong};
 use crate::page::Document;
 use crate::page::book::renumber;
 use crate::raster::Matte;
@@ -10,47 +10,184 @@ use serde_json::Map;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-impl Project {
-    /// All pages in order, including the current one. Empty without pages.
-    #[must_use]
-    pub fn sheets(&self) -> Vec<Arc<Sheet>> {
-        let Some(page) = &self.page else { return Vec::new() };
-        let own = Sheet { page: page.clone(), page_id: self.page_id, sheet: self.sheet, rest: Map::new() };
-        let (before, behind) = self.others.split_at(self.at.min(self.others.len()));
-        before.iter().cloned().chain([Arc::new(own)]).chain(behind.iter().cloned()).collect()
+/// The pages of a storyboard in reading order, and which one is edited.
+///
+/// In JSON, the edited page is the fields `page`, `pageId` and `sheet` of the project. `others` has the other
+/// pages, and `at` is the index of the edited page among all pages.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Pages {
+    list: List<Sheet>,
+    /// Index of the edited page; 0 without pages.
+    active: usize,
+}
+
+/// The fields of [`Pages`] in JSON.
+#[cfg(test)]
+#[derive(ts_rs::TS)]
+#[ts(rename_all = "camelCase")]
+#[expect(dead_code, reason = "describes JSON")]
+struct InJson {
+    /// The page that is edited; `None` without pages.
+    page: Option<Arc<Document>>,
+    /// Id of the page in the page history.
+    page_id: u64,
+    /// Names its place in the storyboard through all its versions.
+    sheet: u64,
+    /// The other pages of the storyboard, in order.
+    others: List<Sheet>,
+    /// Number of pages before the current page.
+    at: usize,
+}
+
+#[cfg(test)]
+impl ts_rs::TS for Pages {
+    type WithoutGenerics = Self;
+    type OptionInnerType = Self;
+
+    fn name(cfg: &ts_rs::Config) -> String {
+        InJson::name(cfg)
     }
 
-    /// Replaces the pages of the storyboard. `None` if `at` is out of range.
-    #[must_use]
-    pub(super) fn set_sheets(&mut self, sheets: &[Arc<Sheet>], at: usize) -> Option<()> {
-        let sheets = numbered(sheets);
-        let edited = sheets.get(at)?;
-        self.page = Some(edited.page.clone());
-        (self.page_id, self.sheet, self.at) = (edited.page_id, edited.sheet, at);
-        let others = sheets.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, sheet)| sheet.clone());
-        self.others = others.collect();
-        if *self.settings != edited.page.page {
-            self.settings = Arc::new(edited.page.page.clone());
-        }
-        Some(())
+    fn inline(cfg: &ts_rs::Config) -> String {
+        InJson::inline(cfg)
     }
 
-    /// Changes the pages for which `change` returns a new one.
-    pub(super) fn each_page(&mut self, change: &mut dyn FnMut(&Arc<Document>) -> Option<Arc<Document>>) {
-        if let Some(page) = self.page.as_ref().and_then(&mut *change) {
-            self.page = Some(page);
+    fn inline_flattened(cfg: &ts_rs::Config) -> String {
+        InJson::inline_flattened(cfg)
+    }
+}
+
+impl Pages {
+    /// The pages with the page at index `active` edited. `None` if `active` is out of range.
+    #[must_use]
+    pub fn new(pages: Vec<Arc<Sheet>>, active: usize) -> Option<Self> {
+        (active < pages.len()).then(|| Self { list: pages.into(), active })
+    }
+
+    /// Reads the pages from the fields of a project.
+    ///
+    /// # Errors
+    /// Returns the location of the error.
+    pub(super) fn read(fields: &mut Fields, parts: &mut dyn Parts) -> Read<Self> {
+        let mut id = |name: &str| Ok(fields.whole(name, 0, GREATEST_ID)?.unwrap_or_default());
+        let (page_id, sheet, active) = (id("pageId")?, id("sheet")?, id("at")? as usize);
+        let others = fields.part("others", &mut |value| parts.sheets(value))?.unwrap_or_default();
+        let page = fields.nullable("page").part("page", &mut |value| parts.page(value))?;
+        if active > others.len() || (page.is_none() && !others.is_empty()) {
+            return Err(Wrong::new("is not the index of a page").at("at"));
         }
-        let mut others = self.others.to_vec();
+        let mut seen = HashSet::from([sheet]);
+        if let Some(i) = others.iter().position(|other| !seen.insert(other.sheet)) {
+            return Err(Wrong::new("is a duplicate page").at("sheet").in_list(i).at("others"));
+        }
+        let Some(page) = page else { return Ok(Self::default()) };
+        let mut list = others.to_vec();
+        list.insert(active, Arc::new(Sheet { page, page_id, sheet, rest: Map::new() }));
+        Ok(Self { list: list.into(), active })
+    }
+
+    /// All pages in reading order.
+    #[must_use]
+    pub fn list(&self) -> &[Arc<Sheet>] {
+        &self.list
+    }
+
+    /// Index of the edited page; 0 without pages.
+    #[must_use]
+    pub fn active(&self) -> usize {
+        self.active
+    }
+
+    /// The edited page; `None` without pages.
+    #[must_use]
+    pub fn edited(&self) -> Option<&Arc<Sheet>> {
+        self.list.get(self.active)
+    }
+
+    /// The pages that are not edited, in reading order.
+    pub fn others(&self) -> impl Iterator<Item = &Arc<Sheet>> {
+        self.list.iter().enumerate().filter(|(i, _)| *i != self.active).map(|(_, sheet)| sheet)
+    }
+
+    /// Replaces the document of the edited page, or adds a first page.
+    pub(super) fn replace(&mut self, page: Arc<Document>) {
+        let sheet = match self.edited() {
+            Some(sheet) => Sheet { page, ..Sheet::clone(sheet) },
+            None => Sheet { page, page_id: 0, sheet: 0, rest: Map::new() },
+        };
+        self.replace_sheet(sheet);
+    }
+
+    /// Replaces the edited page, or adds a first page.
+    pub(super) fn replace_sheet(&mut self, sheet: Sheet) {
+        let mut list = self.list.to_vec();
+        list.splice(self.active..(self.active + 1).min(list.len()), [Arc::new(sheet)]);
+        self.list = list.into();
+    }
+
+    /// Changes the pages for which `change` returns a new one. It gets the index of each page.
+    pub(super) fn each(&mut self, change: &mut Change<'_>) {
         let mut changed = false;
-        for sheet in &mut others {
-            if let Some(page) = change(&sheet.page) {
+        let mut list = self.list.to_vec();
+        for (i, sheet) in list.iter_mut().enumerate() {
+            if let Some(page) = change(i, &sheet.page) {
                 *sheet = Arc::new(Sheet { page, ..Sheet::clone(sheet) });
                 changed = true;
             }
         }
         if changed {
-            self.others = others.into();
+            self.list = list.into();
         }
+    }
+}
+
+/// Changes the page with that index. `None` leaves it unchanged.
+type Change<'c> = dyn FnMut(usize, &Arc<Document>) -> Option<Arc<Document>> + 'c;
+
+impl Project {
+    /// The edited page; `None` without pages.
+    #[must_use]
+    pub fn page(&self) -> Option<&Document> {
+        self.pages.edited().map(|sheet| &*sheet.page)
+    }
+
+    /// Id of the edited page in the page history; 0 without pages.
+    #[must_use]
+    pub fn page_id(&self) -> u64 {
+        self.pages.edited().map_or(0, |sheet| sheet.page_id)
+    }
+
+    /// Names the place of the edited page in the storyboard through all its versions; 0 without pages.
+    #[must_use]
+    pub fn sheet(&self) -> u64 {
+        self.pages.edited().map_or(0, |sheet| sheet.sheet)
+    }
+
+    /// All pages in reading order.
+    #[must_use]
+    pub fn sheets(&self) -> &[Arc<Sheet>] {
+        self.pages.list()
+    }
+
+    /// Returns whether the storyboard has pages besides the edited one.
+    #[must_use]
+    pub fn has_several_pages(&self) -> bool {
+        self.sheets().len() > 1
+    }
+
+    /// The page settings become those of the edited page.
+    pub(super) fn follow_paper(&mut self) {
+        if let Some(page) = self.page().map(|page| &page.page).filter(|paper| **paper != *self.settings) {
+            self.settings = Arc::new(page.clone());
+        }
+    }
+
+    /// Replaces the pages of the storyboard. `None` if `active` is out of range.
+    #[must_use]
+    pub(super) fn set_pages(&mut self, sheets: &[Arc<Sheet>], active: usize) -> Option<()> {
+        self.pages = Pages::new(numbered(sheets), active)?;
+        self.follow_paper();
+        Some(())
     }
 }
 
@@ -68,27 +205,6 @@ fn numbered(sheets: &[Arc<Sheet>]) -> Vec<Arc<Sheet>> {
         }
     };
     sheets.iter().enumerate().map(number).collect()
-}
-
-/// Changes the page with that index. `None` leaves it unchanged.
-type NumberedChange<'c> = dyn FnMut(usize, &Arc<Document>) -> Option<Arc<Document>> + 'c;
-
-impl Project {
-    /// [`Project::each_page`] with the number of each page in the storyboard.
-    pub(super) fn each_numbered_page(&mut self, change: &mut NumberedChange<'_>) {
-        let edited = self.at;
-        // The page that is edited comes first.
-        let mut told = 0;
-        self.each_page(&mut |page| {
-            let number = match told {
-                0 => edited,
-                other if other <= edited => other - 1,
-                other => other,
-            };
-            told += 1;
-            change(number, page)
-        });
-    }
 }
 
 /// Writes sheets. Pages that were already in `before` are omitted.

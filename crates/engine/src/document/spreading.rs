@@ -27,7 +27,7 @@ impl Planning<'_> {
     /// # Errors
     /// Errors of the planner.
     pub fn spread(&self, fresh: (u64, u64), seeds: &mut Seeds) -> Result<Option<Vec<Arc<Sheet>>>> {
-        let Some(page) = self.project.page.as_deref().filter(|_| !self.photos.is_empty()) else {
+        let Some(page) = self.project.page().filter(|_| !self.photos.is_empty()) else {
             return Ok(None);
         };
         let before = self.project.sheets();
@@ -44,7 +44,7 @@ impl Planning<'_> {
                 self.plan(request, Some(own.to_vec()))
             };
             if let Some(fresh) = varied(&made, seeds, &draw)? {
-                made.push(with_words(fresh, &before));
+                made.push(with_words(fresh, before));
             }
         }
         let sheet = |(i, page): (usize, Document)| {
@@ -64,7 +64,7 @@ impl Planning<'_> {
     #[inline(never)]
     fn anew(&self, seed: u32) -> Request {
         let mut request = self.request_for(None, Keep::default(), seed);
-        request.style = self.project.page.as_ref().map(|page| page.style.clone());
+        request.style = self.project.page().map(|page| page.style.clone());
         request
     }
 
@@ -92,7 +92,7 @@ impl Planning<'_> {
     /// # Errors
     /// Errors of the planner.
     pub fn another(&self, seeds: &mut Seeds) -> Result<Option<Document>> {
-        let Some(page) = self.project.page.as_deref() else { return Ok(None) };
+        let Some(page) = self.project.page() else { return Ok(None) };
         let locked = self.project.locks.layout;
         let wanted = if locked { places_of(page) } else { self.wanted() };
         let mut all = self.elsewhere();

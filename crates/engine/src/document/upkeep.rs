@@ -19,7 +19,7 @@ impl Planning<'_> {
     #[must_use]
     pub fn torn(&self) -> bool {
         let used = self.used();
-        self.project.others.iter().any(|sheet| !whole(&sheet.page, &used))
+        self.project.pages.others().any(|sheet| !whole(&sheet.page, &used))
     }
 
     /// Replaces missing photos on all pages and removes pages without photos. Returns the pages and the index
@@ -30,13 +30,13 @@ impl Planning<'_> {
     /// Errors of the planner.
     pub fn repaired(&self, groups: &Groups) -> Result<Option<(Vec<Arc<Sheet>>, usize)>> {
         let used = self.used();
-        let others = self.project.others.iter();
+        let others = self.project.pages.others();
         let torn: Vec<u64> =
             others.filter(|sheet| !whole(&sheet.page, &used)).map(|sheet| sheet.sheet).collect();
         if torn.is_empty() {
             return Ok(None);
         }
-        let mut sheets = self.project.sheets();
+        let mut sheets = self.project.sheets().to_vec();
         for place in torn {
             let Some(at) = sheets.iter().position(|sheet| sheet.sheet == place) else { continue };
             let torn = sheets.remove(at);
@@ -44,7 +44,7 @@ impl Planning<'_> {
                 sheets.insert(at, Arc::new(Sheet { page: Arc::new(page), ..Sheet::clone(&torn) }));
             }
         }
-        let edited = sheets.iter().position(|sheet| sheet.sheet == self.project.sheet);
+        let edited = sheets.iter().position(|sheet| sheet.sheet == self.project.sheet());
         Ok(edited.map(|at| (sheets, at)))
     }
 

@@ -22,7 +22,7 @@ impl Editor {
         let mut planning = self.planning(album)?;
         planning.taste = std::mem::take(&mut request.taste);
         if request.current.is_none() && !anew {
-            request.current = planning.project.page.as_deref().cloned();
+            request.current = planning.project.page().cloned();
         }
         let mut own = None;
         if !photos.is_empty() {
@@ -47,7 +47,7 @@ impl Editor {
     pub fn free_photos(&self, album: &Album) -> Result<String> {
         let free = |planning: Planning| {
             let mut out = Writer::default();
-            let free = planning.free(&planning.elsewhere(), planning.project.page.as_deref());
+            let free = planning.free(&planning.elsewhere(), planning.project.page());
             out.list(&free, &|out, photo| out.text(photo.id()));
             out.finish()
         };

@@ -102,7 +102,7 @@ fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Reque
     };
     let pictures = boards::framed(photos, aspect, &found)?;
     let project = saved.project();
-    let page = project.history.present.page.as_ref();
+    let page = project.history.present.page();
     let style = match &asked.style {
         Some(style) => StyleRef::of(&read_style(style)?),
         None => page.map_or_else(StyleRef::default, |page| page.style.clone()),
