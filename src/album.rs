@@ -11,6 +11,7 @@ use crate::page::{Book, Page};
 use crate::photo::{Photo, id};
 use crate::places::PlaceNames;
 use inkpanel_engine::document::limits::MOST_SHEETS;
+use inkpanel_engine::document::page_edits;
 use inkpanel_engine::framing::{PhotoMeta, Subject};
 use inkpanel_engine::page::Document;
 use inkpanel_engine::page::book::{self, BookPage, Styles, Wish, naming};
@@ -169,7 +170,8 @@ impl Album {
     }
 
     /// Makes a book: a cover, chapters by day with captions, page numbers and an end page. Names of the folders of photos are
-    /// places, and [`Self::locate`] finds others. The number of panels, the layout and the text items of `options` do not apply.
+    /// places, and [`Self::locate`] finds others. The number of panels, the layout, the text items and the edits of `options` do not
+    /// apply.
     ///
     /// # Errors
     /// As [`Self::pages`].
@@ -185,8 +187,10 @@ impl Album {
         PageOptions::check(most)?;
         let selection = self.choose(options);
         let mut notes = self.notes_with(&selection);
-        let pages = self.plan(options, selection.used, most)?;
-        let mut documents: Vec<Document> = pages.into_iter().map(|page| page.document).collect();
+        let pages = self.plan(options, selection.used.clone(), most)?;
+        let documents = pages.into_iter().map(|page| page.document).collect();
+        let (mut documents, unchanged) = self.edit(options, documents, &selection.used)?;
+        notes.extend(unchanged.into_iter().map(Note::new));
         if let (Some(first), false) = (documents.first_mut(), options.words.is_empty()) {
             let letters = self.fonts.letters(&options.words)?;
             place::add(first, options.words.clone(), |id| self.known(id), &letters)?;
@@ -252,6 +256,32 @@ impl Album {
         let imported: Vec<&Imported> = self.read.iter().map(|(_, imported)| imported).collect();
         let (used, verdicts) = storyboard::chosen(&names, &imported, options.choice);
         Selection { used, verdicts }
+    }
+
+    /// Applies the edits of the options to planned pages of selected photos.
+    ///
+    /// Returns the pages, and a sentence for each edit that changed nothing.
+    ///
+    /// # Errors
+    /// As [`Self::pages`].
+    pub fn edit(
+        &self,
+        options: &PageOptions,
+        pages: Vec<Document>,
+        used: &[PhotoMeta],
+    ) -> Result<(Vec<Document>, Vec<String>), Failure> {
+        if options.edits.is_empty() {
+            return Ok((pages, Vec::new()));
+        }
+        let named = |name: &str| {
+            let mut places =
+                (0..self.photos.len()).filter(|place| Path::new(self.photos[*place].name()).ends_with(name));
+            let place = places.next()?;
+            places.next().is_none().then(|| id(place))
+        };
+        let edited = page_edits::apply(pages, used, &options.edits, &named)?;
+        let told = |i: usize| format!("edits[{i}] changes nothing");
+        Ok((edited.pages, edited.unchanged.into_iter().map(told).collect()))
     }
 
     /// Plans pages of selected photos: one page of all, or at most `most`.

@@ -2,12 +2,14 @@
 
 use crate::failure::Failure;
 use crate::style::Style;
+use inkpanel_engine::document::page_edits;
 use inkpanel_engine::layout::{PageSettings, PaperSize};
 use inkpanel_engine::page::catalogue;
 use inkpanel_engine::page::request::{Families, Request};
 use inkpanel_engine::page::storyboard::Choice;
 use inkpanel_engine::page::words::TextItem;
 use inkpanel_engine::page::{LayoutRef, StyleRef};
+use serde_json::Value;
 use std::collections::HashMap;
 
 /// The most pages that an album is cut into, as on the command line.
@@ -32,6 +34,7 @@ pub struct PageOptions {
     page: PageSettings,
     pub(crate) choice: Choice,
     pub(crate) words: Vec<TextItem>,
+    pub(crate) edits: Vec<Value>,
 }
 
 /// Options of a book, in addition to the options of its pages. Default: a title from the places or days of
@@ -102,6 +105,7 @@ impl Default for PageOptions {
             page: PageSettings::default(),
             choice: Choice::default(),
             words: Vec::new(),
+            edits: Vec::new(),
         }
     }
 }
@@ -281,6 +285,20 @@ impl PageOptions {
         serde_json::from_str::<Vec<serde::de::IgnoredAny>>(json)
             .map_err(|error| Failure::argument("words", &error.to_string()))?;
         self.words = TextItem::read_all(json)?;
+        Ok(self)
+    }
+
+    /// Edits of the planned pages, as a JSON list: swap photos, crop, merge or split panels, choose a layout or style, and so
+    /// on. An item is for example `{"type": "swap-panels", "panel": 0, "with": 2}`. The reference of formats lists all edits.
+    /// Photos are named by their names or ids. An edit that changes nothing adds a note.
+    ///
+    /// # Errors
+    /// `invalid-argument` if the text is not JSON, `invalid-document` if it is not a list. Other errors of edits are errors of
+    /// [`Album::pages`](crate::Album::pages).
+    pub fn edits(mut self, json: &str) -> Result<Self, Failure> {
+        serde_json::from_str::<serde::de::IgnoredAny>(json)
+            .map_err(|error| Failure::argument("edits", &error.to_string()))?;
+        self.edits = page_edits::parse(json)?;
         Ok(self)
     }
 

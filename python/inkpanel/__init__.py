@@ -68,6 +68,7 @@ def render(
     detect=True,
     models=None,
     words=None,
+    edits=None,
     fonts=(),
     star=(),
     duplicate_threshold=None,
@@ -98,6 +99,8 @@ def render(
     models: folder with faces.onnx, objects.onnx and optionally landmarks.onnx. Default: the models in the wheel.
     words: captions, balloons and sound effects of the first page, as a list of dicts such as
         {"kind": "balloon", "text": "Look out!", "panel": 0}. Without a position, they are placed clear of faces.
+    edits: edits of the planned pages, in order, as a list of dicts such as {"type": "swap-panels", "panel": 0, "with": 2}. The
+        reference of formats lists them. `Page.notes` lists edits that change nothing.
     fonts: paths of TrueType or OpenType files for characters that the bundled fonts lack, such as Arabic or Japanese. The first
         font with a glyph is used. `Page.notes` lists missing glyphs.
     star: indices in `photos`, from 0, of photos for large panels.
@@ -110,7 +113,7 @@ def render(
 
     Raises `Error`. If a photo cannot be read, the code is `not-found`, `unreadable`, `unknown-format`, `damaged`, `unsupported` or
     `too-large`, and `file` is its path. Other codes: `no-photos`, `unknown-style`, `invalid-style`, `unknown-layout`,
-    `invalid-layout`, `invalid-document` (a setting out of range, words), `invalid-argument`, `invalid-array` and `no-models`.
+    `invalid-layout`, `invalid-document` (a setting out of range, words, edits), `invalid-argument`, `invalid-array` and `no-models`.
     Raises TypeError if an item is not a photo.
     """
     if isinstance(photos, (str, bytes, _os.PathLike)) or hasattr(photos, "dtype"):
@@ -134,6 +137,7 @@ def render(
         "whole_photos": whole_photos,
         "models": (_os.fspath(models) if models else str(_MODELS)) if detect else None,
         "words": words,
+        "edits": edits,
         "fonts": [_os.fspath(font) for font in fonts],
         "star": list(star),
         "duplicate_threshold": duplicate_threshold,

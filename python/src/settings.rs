@@ -113,6 +113,9 @@ impl Told {
         if let Some(words) = self.take::<Value>("words")? {
             options = options.words(&words.to_string())?;
         }
+        if let Some(edits) = self.take::<Value>("edits")? {
+            options = options.edits(&edits.to_string())?;
+        }
         let lengths: [(&str, Setter<f64>); 4] = [
             ("gutter", PageOptions::gutter),
             ("margin", PageOptions::margin),

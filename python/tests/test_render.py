@@ -124,6 +124,20 @@ def test_fonts_give_letters_that_the_program_lacks(album):
     assert raised.value.code == "invalid-argument"
 
 
+def test_edits_change_planned_pages(album):
+    how = {"layout": "cinema-4", "style": "comic", "width": 300, "detect": False}
+    shown = lambda page: [panel["photo"] for panel in page.plan["panels"]]  # noqa: E731
+    before = shown(inkpanel.render(album, **how))
+    swap = {"type": "swap-panels", "panel": 0, "with": 3}
+    after = shown(inkpanel.render(album, **how, edits=[swap]))
+    assert (after[0], after[3]) == (before[3], before[0])
+    idle = inkpanel.render(album, **how, edits=[{**swap, "with": 99}])
+    assert shown(idle) == before and any("changes nothing" in note for note in idle.notes)
+    with pytest.raises(inkpanel.Error, match="is not a known edit") as raised:
+        inkpanel.render(album, **how, edits=[{"type": "swap"}])
+    assert raised.value.code == "invalid-document"
+
+
 def test_words_stars_and_sizes(album):
     plain = inkpanel.render(album, layout="cinema-4", style="comic", width=500, detect=False)
     said = [{"kind": "balloon", "text": "Look out!", "panel": 0}]

@@ -763,3 +763,33 @@ fn each_error_has_a_stable_code() {
         assert!(!folder.path().join("page.png").exists(), "{arguments:?}");
     }
 }
+
+#[test]
+fn edits_of_a_file_change_the_planned_pages() {
+    let folder = album();
+    let plan = |edits: &str, more: &[&str]| {
+        fs::write(folder.path().join("edits.json"), edits).unwrap();
+        let options = ["--no-detect", "--layout", "cinema-4", "--json", "--edits", "edits.json"];
+        render(folder.path(), &[&options[..], more, &["album"]].concat())
+    };
+    let photos = |output: &Output| -> Vec<String> {
+        let plan: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let panels = plan["pages"][0]["panels"].as_array().unwrap();
+        panels.iter().map(|panel| panel["photo"].as_str().unwrap().to_owned()).collect()
+    };
+    let before = photos(&plan("[]", &[]));
+    let swapped = plan(r#"[{ "type": "swap-panels", "panel": 0, "with": 3 }]"#, &[]);
+    let after = photos(&swapped);
+    assert_eq!([&after[0], &after[3]], [&before[3], &before[0]], "{}", text(&swapped.stderr));
+    let placed = plan(r#"[{ "type": "place-photo", "panel": 2, "photo": "bee.jpg" }]"#, &[]);
+    assert!(photos(&placed)[2].ends_with("bee.jpg"), "{}", text(&placed.stderr));
+    let idle = r#"[{ "type": "swap-panels", "panel": 0, "with": 99 }]"#;
+    let unchanged = plan(idle, &[]);
+    assert!(text(&unchanged.stderr).contains("edits[0] changes nothing"), "{}", text(&unchanged.stderr));
+    assert_eq!(photos(&unchanged), before);
+    assert_eq!(plan(idle, &["--strict"]).status.code(), Some(1));
+    let wrong = plan(r#"[{ "type": "swap" }]"#, &[]);
+    let said = text(&wrong.stderr);
+    assert_eq!(wrong.status.code(), Some(1));
+    assert!(said.contains("edits.json") && said.contains("edits[0].type: is not a known edit"), "{said}");
+}

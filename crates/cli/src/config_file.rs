@@ -182,7 +182,7 @@ mod tests {
             assert_eq!(made == [format!("--{name}=album/x")], takes_file(name), "{name}");
             files.extend(takes_file(name).then_some(name));
         }
-        for name in ["font", "output", "words", "star", "models", "document", "save-document"] {
+        for name in ["font", "output", "words", "edits", "star", "models", "document", "save-document"] {
             assert!(files.contains(&name), "{name}");
         }
     }

@@ -24,13 +24,22 @@ const MOST_PANELS: usize = 200;
 const MOST_PAGES: usize = 1000;
 
 /// Returns the plan as JSON, in the format of `docs/reference/formats.md`.
-pub(crate) fn told(pages: &[Planned], photos: &Photos) -> Result<Value, CliError> {
-    let pages = pages.iter().map(|page| told_page(page, photos)).collect::<Result<Vec<_>, _>>()?;
+///
+/// `planned`: the pages before edits. A page that was edited has no score.
+pub(crate) fn told(pages: &[Document], planned: &[Planned], photos: &Photos) -> Result<Value, CliError> {
+    let score = |page: &Document| {
+        planned.iter().find(|planned| planned.document == *page).map(|planned| &planned.score)
+    };
+    let pages =
+        pages.iter().map(|page| told_page(page, score(page), photos)).collect::<Result<Vec<_>, _>>()?;
     Ok(json!({ "pages": pages }))
 }
 
-pub(crate) fn told_page(page: &Planned, photos: &Photos) -> Result<Value, CliError> {
-    let document = &page.document;
+pub(crate) fn told_page(
+    document: &Document,
+    score: Option<&Score>,
+    photos: &Photos,
+) -> Result<Value, CliError> {
     let template = document.template()?;
     let aspect = document.page.aspect();
     let resolved = layout::resolve(&template, aspect, &document.page);
@@ -54,8 +63,8 @@ pub(crate) fn told_page(page: &Planned, photos: &Photos) -> Result<Value, CliErr
     let mut told = json!({
         "layout": document.layout.id(),
         "style": document.style.id(),
-        "score": rounded(page.score.total()),
-        "terms": terms(&page.score),
+        "score": score.map(|score| rounded(score.total())),
+        "terms": score.map(terms),
         "page": { "width": document.page.width, "height": document.page.height },
         "panels": panels,
     });

@@ -138,7 +138,7 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
 /// each page.
 fn told(title: &str, pages: &[BookPage], photos: &Photos) -> Result<Value, CliError> {
     let page = |page: &BookPage| {
-        let mut told = plans::told_page(&page.planned, photos)?;
+        let mut told = plans::told_page(&page.planned.document, Some(&page.planned.score), photos)?;
         told["role"] = json!(page.role.name());
         told["chapter"] = json!(page.chapter + 1);
         let texts = page.planned.document.words.iter().filter(|word| !word.number);

@@ -13,7 +13,6 @@ use crate::{CliError, documents, drawing, plans, projects, reading, reopening, r
 use clap::builder::PossibleValuesParser;
 use inkpanel_engine::document::shots::FRAMES;
 use inkpanel_engine::layout;
-use inkpanel_engine::page::Document;
 use inkpanel_engine::page::words::given::GivenFonts;
 use serde_json::json;
 use std::collections::HashMap;
@@ -85,6 +84,9 @@ pub(crate) struct Planned {
     /// Captions, balloons and sound effects: a JSON array of text items.
     #[arg(long, value_name = "FILE")]
     pub(crate) words: Option<PathBuf>,
+    /// Edits of the planned pages: a JSON array such as [{"type": "swap-panels", "panel": 0, "with": 2}].
+    #[arg(long, value_name = "FILE")]
+    pub(crate) edits: Option<PathBuf>,
     /// Number of pages, for a PDF file, a comic or a file name such as page-%02d.png. Pages begin where the time or the scene
     /// changes. [default: 1]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
@@ -202,6 +204,11 @@ fn plan_page(
     if let Some(panels) = render.panels {
         options = options.panels(panels);
     }
+    if let Some(file) = &render.edits {
+        let complain = |error: CliError| error.at(file.display());
+        let json = input::text(file).map_err(complain)?;
+        options = options.edits(&json).map_err(|error| complain(error.into()))?;
+    }
     let fonts = how.printing.fonts()?;
     let mut photos = Photos::read(input.files.to_vec())?;
     let looked = render.album.prepare(&mut photos);
@@ -210,15 +217,23 @@ fn plan_page(
     }
     let chosen = photos.choose(&options);
     let used: Vec<String> = chosen.iter().map(|photo| photo.id.clone()).collect();
-    let mut pages = photos.album.plan(&options, chosen, render.pages.map(|pages| pages as usize))?;
-    if let (Some(file), Some(first)) = (&render.words, pages.first_mut()) {
-        drawing::add_words(&mut first.document, file, &photos, &fonts)?;
-    }
+    let pages = photos.album.plan(&options, chosen.clone(), render.pages.map(|pages| pages as usize))?;
     if let Some(wanted) = render.pages.filter(|wanted| *wanted as usize != pages.len()) {
         report::note(None, &format!("{} pages instead of {wanted}", pages.len()));
     }
     plans::tell_differences(&pages, render.panels, &used, &photos);
-    let drawn: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
+    let documents = pages.iter().map(|page| page.document.clone()).collect();
+    let edited = photos.album.edit(&options, documents, &chosen);
+    let (mut drawn, unchanged) = match &render.edits {
+        Some(file) => edited.map_err(|error| CliError::from(error).at(file.display()))?,
+        None => edited?,
+    };
+    for message in unchanged {
+        report::note(None, &message);
+    }
+    if let (Some(file), Some(first)) = (&render.words, drawn.first_mut()) {
+        drawing::add_words(first, file, &photos, &fonts)?;
+    }
     drawing::tell_missing(&drawn, &fonts)?;
     check_strict(how.strict)?;
     let album =
@@ -230,7 +245,7 @@ fn plan_page(
         &Writing { how, several: render.pages.is_some(), chosen: &render.album },
     )?;
     if render.album.json {
-        print_json(&plans::told(&pages, &photos)?)?;
+        print_json(&plans::told(&drawn, &pages, &photos)?)?;
     }
     done(&written)
 }

@@ -14,6 +14,7 @@
 //! | [`intent`] | edits of pages that the planner carries out |
 //! | [`carrying_out`] | the pages that intents ask for |
 //! | [`editor`] | applies edits, undo and redo |
+//! | [`page_edits`] | edits of planned pages by programs |
 //! | [`sheets`] | the pages of a storyboard, and which one is edited |
 //! | [`own`] | lists shared by all projects |
 //! | [`planning`] | planning of pages from unused photos |
@@ -55,6 +56,7 @@ pub mod kept;
 pub mod limits;
 pub mod listing;
 pub mod own;
+pub mod page_edits;
 pub mod pages;
 pub mod planning;
 pub mod project;
