@@ -36,12 +36,12 @@ export function createNarrating({
     });
   }
 
-  /** Moves the title and captions off faces that were detected after the page was planned. */
+  /** Moves text off faces that were detected after it was placed. Text that the user moved stays. */
   function avoidFaces() {
     const page = store.page.peek();
-    const made = (page?.words ?? []).flatMap((word, i) => (word.made ? [i] : []));
-    if (!page || made.length === 0) return;
-    const moved = settled(page, made);
+    const free = (page?.words ?? []).flatMap(({ auto }, i) => (auto === false ? [] : [i]));
+    if (!page || free.length === 0) return;
+    const moved = settled(page, free);
     if (JSON.stringify(moved.words) !== JSON.stringify(page.words))
       setWords(store, [{ at: store.project.peek().at, page: moved }], { silent: true });
   }
