@@ -1137,6 +1137,8 @@ export type WordBox = {
   fill: string,
   /** Id of its font. */
   font: string,
+  /** Its place in the reading order of the page, from 0. */
+  turn: number,
 };
 
 /** A page template that has passed every check of its schema (see `layouts/README.md`). */

@@ -433,6 +433,7 @@ impl Room<'_> {
                 cost += FORBIDDEN * (1.0 + touched / (area.width * area.height));
             }
         }
+        cost += FORBIDDEN * self.misread(index, area) as f64;
         let own = area.width * area.height;
         let size = self.frame.width.hypot(self.frame.height);
         let mut nearest = size;
@@ -455,6 +456,20 @@ impl Room<'_> {
             cost += weight * (part / own + 4.0 * part / figure.area);
         }
         cost + self.manners(laid.word.kind(), area, rank, nearest / size)
+    }
+
+    /// Number of placed text items of the panel that the eye would read in another order than the text.
+    fn misread(&self, index: usize, area: Bounds) -> usize {
+        let Page { words, taken, ground, .. } = self.page;
+        let word = &words[index];
+        let wrong = |(other, placed): &&(usize, Bounds)| {
+            let before = *other < index;
+            let (first, second) = if before { (*placed, area) } else { (area, *placed) };
+            words[*other].panel == word.panel
+                && [word, &words[*other]].iter().all(|word| word.kind() != Kind::Effect)
+                && !reads_after(turned(first, ground.rtl), turned(second, ground.rtl))
+        };
+        taken.iter().filter(wrong).count()
     }
 
     /// Cost of unusual positions. Usual are captions in corners, high balloons, and sounds in free areas.
