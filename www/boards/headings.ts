@@ -2,12 +2,12 @@
 
 /** The columns of a list that is saved. */
 const SAVED: readonly (readonly string[])[] = [
-  ['Scene', 'Shot', 'Picture', 'Film', 'Time code', 'Duration', 'Frames', 'Action', 'Dialogue', 'Notes'],
-  ['Szene', 'Einstellung', 'Bild', 'Film', 'Timecode', 'Dauer', 'Bilder', 'Handlung', 'Dialog', 'Notizen'],
-  ['Escena', 'Plano', 'Imagen', 'Película', 'Código de tiempo', 'Duración', 'Fotogramas', 'Acción', 'Diálogo', 'Notas'],
-  ['Scène', 'Plan', 'Image', 'Film', 'Timecode', 'Durée', 'Images', 'Action', 'Dialogue', 'Notes'],
-  ['シーン', 'カット', '画像', '映像', 'タイムコード', '長さ', 'フレーム', '内容', '台詞', 'メモ'],
-  ['Cena', 'Plano', 'Imagem', 'Filme', 'Código de tempo', 'Duração', 'Quadros', 'Ação', 'Diálogo', 'Notas'],
+  ['Scene', 'Shot', 'Picture', 'Film', 'Time code', 'Duration', 'Frames', 'Action', 'Dialogue', 'Notes', 'Caption', 'Sound'],
+  ['Szene', 'Einstellung', 'Bild', 'Film', 'Timecode', 'Dauer', 'Bilder', 'Handlung', 'Dialog', 'Notizen', 'Textkasten', 'Ton'],
+  ['Escena', 'Plano', 'Imagen', 'Película', 'Código de tiempo', 'Duración', 'Fotogramas', 'Acción', 'Diálogo', 'Notas', 'Cartela', 'Sonido'],
+  ['Scène', 'Plan', 'Image', 'Film', 'Timecode', 'Durée', 'Images', 'Action', 'Dialogue', 'Notes', 'Cartouche', 'Son'],
+  ['シーン', 'カット', '画像', '映像', 'タイムコード', '長さ', 'フレーム', '内容', '台詞', 'メモ', 'キャプション', '効果音'],
+  ['Cena', 'Plano', 'Imagem', 'Filme', 'Código de tempo', 'Duração', 'Quadros', 'Ação', 'Diálogo', 'Notas', 'Caixa de texto', 'Som'],
 ];
 
 /** Names in the table of the app, which is copied to spreadsheets, and names that other programs use. */
@@ -57,6 +57,8 @@ const SHOWN: readonly (readonly (readonly string[])[])[] = [
       'Observações',
       'Comentários',
     ],
+    ['Captions', 'Textkästen', 'Cartelas', 'Cartouches', 'Caixas de texto'],
+    ['Sounds', 'SFX', 'Sound effects', 'Töne', 'Geräusche', 'Sonidos', 'Sons', 'Bruitages', '音'],
   ],
 ];
 

@@ -70,6 +70,10 @@ export type Shot = {
   action?: string,
   /** Dialogue. */
   dialogue?: string,
+  /** Captions. */
+  caption?: string,
+  /** Sounds. */
+  sound?: string,
   /** Notes. */
   notes?: string,
   /** How long it is, in frames of the board's rate. */
@@ -130,6 +134,10 @@ export type ListedShot = {
   action: string,
   /** Dialogue. */
   dialogue: string,
+  /** Captions. */
+  caption?: string,
+  /** Sounds. */
+  sound?: string,
   /** Notes. */
   notes: string,
   /** Duration in frames. Default: two seconds. */
@@ -358,6 +366,10 @@ export type BoardLabels = {
   scene: string,
   /** Label of the dialogue. */
   dialogue: string,
+  /** Label of captions. */
+  caption?: string,
+  /** Label of sounds. */
+  sound?: string,
   /** Before the notes. */
   notes: string,
   /** Number of the sheet, and total number of sheets. */
