@@ -12,8 +12,10 @@ import { bitmapsOf } from './frames.ts';
 import { drawnWord } from './drawn-word.ts';
 import { createLoops } from './loops.ts';
 import { createMovingPictures } from './moving-pictures.ts';
+import { similarShots } from './similar-shots.ts';
 import { soundOf } from './sound.ts';
 import { GIF, KINDS, gifSize } from './kinds.ts';
+import type { ShotRow } from '../boards/shots.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type {
@@ -32,8 +34,8 @@ import type { Kind } from './kinds.ts';
 
 export type SizeId = (typeof ANIMATIC_SIZES)[number]['id'];
 /**
- * `seconds`: default duration of a shot, or of a panel without text; `dissolve`: in seconds, 0 for hard cuts; `living`:
- * whether panels from videos are animated.
+ * `seconds`: default duration of a shot, or of a panel without text; `dissolve`: in seconds, 0 for hard cuts; `skips`:
+ * whether shots that look like the shot before are left out; `living`: whether panels from videos are animated.
  */
 export type AnimaticWish = {
   of: 'shots' | 'pages';
@@ -43,6 +45,7 @@ export type AnimaticWish = {
   dissolve: number;
   moves: boolean;
   captions: boolean;
+  skips: boolean;
   living: boolean;
   sound: File | null;
 };
@@ -59,6 +62,7 @@ export const USUAL: AnimaticWish = {
   dissolve: 0,
   moves: true,
   captions: true,
+  skips: true,
   living: true,
   sound: null,
 };
@@ -88,14 +92,19 @@ export function createAnimatics({
     | 'givesWebp'
     | 'losslessPicture'
   >;
-  boards: { rows: ReadonlySignal<readonly { id: string }[]>; shotList: () => ShotList };
+  boards: { rows: ReadonlySignal<readonly ShotRow[]>; shotList: () => ShotList };
 }) {
   const loops = createLoops({ store, engine });
 
   /** The panels of a page that move, as pictures over it. */
   const movingPictures = createMovingPictures({ engine, loops });
 
-  return { sizeOf, planned, preview, previewLoops, film, living, movingPictures };
+  return { sizeOf, planned, preview, previewLoops, film, living, movingPictures, similar };
+
+  /** Returns the number of shots that look like the shot before. */
+  function similar(): number {
+    return similarShots(boards.rows.value, store.album.value).size;
+  }
 
   /** In pixels, of frames of a kind of file. */
   function sizeOf({ kind, size }: Pick<AnimaticWish, 'kind' | 'size'>) {
@@ -146,11 +155,15 @@ export function createAnimatics({
   function shotsOf(wish: AnimaticWish): AnimaticRequest {
     const { width, height } = sizeOf(wish);
     const album = store.album.peek();
-    const ids = boards.rows.peek().map(({ id }) => id);
+    const rows = boards.rows.peek();
+    const skipped = wish.skips ? similarShots(rows, album) : new Set();
+    const list = boards.shotList();
+    const shots = list.shots.filter((_, i) => !skipped.has(rows[i].id));
+    const ids = rows.flatMap(({ id }) => (skipped.has(id) ? [] : [id]));
     const framed = store.planner.peek()?.frames(store.photos.peek(), ids, width / height) ?? [];
     const subjectsOf = (id: string): readonly Subject[] => album.get(id)?.meta?.subjects ?? [];
     return {
-      list: boards.shotList(),
+      list: { ...list, shots },
       pictures: framed.map((picture) => ({ ...picture, subjects: subjectsOf(picture.photo) })),
       size: [width, height],
       fps: wish.kind === 'gif' ? GIF.fps : 0,
