@@ -1260,6 +1260,8 @@ export type BookWish = {
   language?: string,
   /** The places of photos by id. */
   places?: { [key in string]: string },
+  /** Dates in the format of the user. Default: in the format of the language. */
+  dates?: BookDates,
   /** Number of pages with cover and end page, from `MIN_PAGES`. Default: as many as the photos need. */
   pages?: number,
   /** How styles are chosen. */
@@ -1268,6 +1270,14 @@ export type BookWish = {
 
 /** How the styles of a book are chosen. */
 export type BookStyles = "one" | "chapters";
+
+/** Dates in the format of the user. The texts of the language replace missing ones. */
+export type BookDates = {
+  /** The days of the book, for its cover. */
+  span?: string,
+  /** Dates without their year, by day such as `2026-06-09`. */
+  days?: { [key in string]: string },
+};
 
 /**
  * The user's learned preferences, as natural logarithms of the factors for the weights of families and
