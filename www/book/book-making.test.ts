@@ -7,7 +7,11 @@ import { opened } from './book-testing.ts';
 
 async function making(
   count: number,
-  { searched = () => true, at = null }: { searched?: () => boolean; at?: number | null } = {},
+  {
+    searched = () => true,
+    at = null,
+    offered = () => false,
+  }: { searched?: () => boolean; at?: number | null; offered?: () => boolean } = {},
 ) {
   const app = await opened(count);
   const ids = app.store.photos.peek().map(({ id }) => id);
@@ -17,6 +21,7 @@ async function making(
     book: app.book,
     pages: app.pages,
     album: { title: () => 'Trip', moments: () => moments },
+    places: { offered, add: vi.fn(), marked: (page) => page },
     searched,
     ready: () => Promise.resolve(),
   });
@@ -60,6 +65,12 @@ test('the dates of a book have the format of the user', async () => {
     span: strings.dates(Date.UTC(2026, 5, 9), Date.UTC(2026, 5, 9)),
     days: { '2026-06-09': strings.shortDayOf(Date.UTC(2026, 5, 9)) },
   });
+});
+
+test('a book of photos with locations offers their place names', async () => {
+  const { bookMaking, messages } = await making(14, { offered: () => true });
+  await bookMaking.make('one');
+  expect(messages.list.peek().at(-1)?.more?.label).toBe(strings.addPlaces);
 });
 
 test('page numbers follow a move, and a shuffle keeps the text of a book', async () => {

@@ -5,7 +5,7 @@ import { timeLimit } from '../engine/scheduler.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { language, strings } from '../strings/strings.ts';
 import type { Signal } from '@preact/signals';
-import type { BookDates, BookStyles } from '../engine/types.ts';
+import type { BookDates, BookStyles, PageDocument } from '../engine/types.ts';
 import type { Book } from './book.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
@@ -17,7 +17,8 @@ const PATIENCE = 15_000;
 const DAY = 86_400_000;
 
 /**
- * @param app `album`: the title of the album, and the places of its photos; `searched` reads signals: whether all photos were looked at;
+ * @param app `album`: the title of the album, and the places of its photos; `places`: names of places that the user may add;
+ * `searched` reads signals: whether all photos were looked at;
  * `ready` loads what places text
  */
 export function createBookMaking({
@@ -25,6 +26,7 @@ export function createBookMaking({
   book,
   pages,
   album,
+  places,
   searched,
   ready,
 }: {
@@ -32,14 +34,29 @@ export function createBookMaking({
   book: Pick<Book, 'cannotSpread' | 'replace' | 'hasDays'>;
   pages: Pick<Pages, 'book'>;
   album: { title: () => string; moments: () => ReadonlyMap<string, { at: number | null; place: string }> };
+  places: { offered: () => boolean; add: () => void; marked: (page: PageDocument) => PageDocument };
   searched: () => boolean;
   ready: () => Promise<unknown>;
 }) {
   /** Pages that are planned, and their number, which is 0 while photos are looked at; null if no book is made. */
   const progress = signal(null) as Signal<{ done: number; of: number } | null>;
   let stop: AbortController | null = null;
+  let last: BookStyles = 'one';
+  const withChapters = { label: strings.book.makeChapters, run: () => void make('chapters') };
+  const withPlaces = {
+    label: strings.addPlaces,
+    run: () => {
+      places.add();
+      void again();
+    },
+  };
 
-  return { progress, make, cancel };
+  return { progress, make, again, cancel };
+
+  /** Makes the book again, with as many styles as before. */
+  function again() {
+    return make(last);
+  }
 
   /** @param styles one style for all pages, or one per chapter */
   async function make(styles: BookStyles) {
@@ -51,23 +68,21 @@ export function createBookMaking({
       await Promise.all([ready(), looked(signal)]);
       const before = store.project.peek();
       const moments = album.moments();
-      const places = Object.fromEntries([...moments].map(([id, { place }]) => [id, place]));
+      const named = Object.fromEntries([...moments].map(([id, { place }]) => [id, place]));
       const dates = datesOf(store.photos.peek().map(({ id }) => moments.get(id)?.at ?? null));
       const told = (done: number, of: number) => {
         progress.value = { done, of };
       };
       const sheets = signal.aborted
         ? null
-        : await pages.book({ title: album.title(), language, places, dates, styles }, told, signal);
+        : await pages.book({ title: album.title(), language, places: named, dates, styles }, told, signal);
       if (!sheets || sheets.length === 0) return;
-      book.replace(sheets, {
+      last = styles;
+      book.replace(sheets.map((sheet) => ({ ...sheet, page: places.marked(sheet.page) })), {
         text: strings.book.made({ n: sheets.length }),
         before: sheetsOf(before),
         at: before.at,
-        more:
-          styles === 'one' && book.hasDays.peek()
-            ? { label: strings.book.makeChapters, run: () => void make('chapters') }
-            : undefined,
+        more: places.offered() ? withPlaces : styles === 'one' && book.hasDays.peek() ? withChapters : undefined,
       });
     } finally {
       progress.value = null;

@@ -1091,6 +1091,8 @@ export type Word = {
   book?: boolean,
   /** Whether it is a page number, which follows the position of the page. */
   number?: boolean,
+  /** Whether it names a place by the location in a photo. */
+  located?: boolean,
   /** The photo that it belongs to. The item follows this photo. Default: the photo on its panel. */
   photo?: string | null,
   /** The subtitle of origin, so that it is not added twice. */

@@ -87,6 +87,8 @@ export function ExportDialog() {
     }),
     [way, sheets, printed, enlarge, dpi, format, inside, quality, onPaper, living],
   );
+  const isWhole = all || way === 'project' || filmed !== null || isList(format);
+  const named = (isWhole ? download.sheets() : [page]).some(({ words }) => words?.some(({ located }) => located));
   const close = () => {
     // It tells that it was closed a moment later: another may be open by then.
     if (ui.dialog.peek() === 'export') ui.dialog.value = null;
@@ -101,6 +103,12 @@ export function ExportDialog() {
   return (
     <Dialog title={strings.exportPage} class="export-dialog" onClose={close}>
       <KindChoice choice={choice} choose={choose} />
+      {named && (
+        <p class="export-places" role="note">
+          <Icon name="alert" />
+          {strings.exportPlaces}
+        </p>
+      )}
       {filmed ? (
         <LazyAnimatic of={filmed} close={close}>
           <FormatChoice choice={choice} choose={choose} />

@@ -290,7 +290,7 @@ export function createLettering({
     const clean = bounded(text.trim()).trim();
     editing.value = -1;
     if (clean === '') remove(index);
-    else if (clean !== words.peek()[index]?.text) edit(index, { text: clean });
+    else if (clean !== words.peek()[index]?.text) edit(index, { text: clean, located: undefined });
   }
 
   /** @param to its middle, in page widths */
