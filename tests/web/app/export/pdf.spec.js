@@ -104,7 +104,7 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
   await expect(dialog.getByRole('radio', { name: 'CBZ' }), 'the format survives').toBeChecked();
   await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
-  await dialog.getByRole('radio', { name: 'With project data' }).check();
+  await dialog.getByRole('radio', { name: 'Editing again on this device' }).check();
   await dialog.getByRole('combobox', { name: 'Embedded images' }).selectOption('jpeg');
   const cbz = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   expect(cbz.name).toMatch(/\d{4}\.cbz$/);
