@@ -61,7 +61,9 @@ export function createBoards({
     const there = new Set(used);
     const onPages = [...pageShots.value.keys()].filter((id) => there.has(id));
     const ids = ordered(board.value.order, [...new Set([...onPages, ...used])]);
-    return numbered(ids.map((id) => ({ id, shot: items.get(id)?.shot ?? {}, said: pageShots.value.get(id) ?? UNSPOKEN })));
+    return numbered(
+      ids.map((id) => ({ id, shot: items.get(id)?.shot ?? {}, said: pageShots.value.get(id) ?? UNSPOKEN })),
+    );
   });
   const columns = computed((): readonly Column[] => [
     ...(['scene', 'number'] as const).map((id) => ({ kind: 'field' as const, id })),

@@ -10,7 +10,11 @@ import type { Spoken } from './shots.ts';
 /** As in `crates/engine/src/document/listing.rs`: the weight of the horizontal position against the vertical one. */
 const SLANT = 0.3;
 /** The kind of text of each field. */
-const KINDS: Readonly<Record<keyof Spoken, Word['kind']>> = { dialogue: 'balloon', caption: 'caption', sound: 'effect' };
+const KINDS: Readonly<Record<keyof Spoken, Word['kind']>> = {
+  dialogue: 'balloon',
+  caption: 'caption',
+  sound: 'effect',
+};
 
 /** Returns the text of each photo on the pages, by the ids of the photos in reading order. */
 export function shotsOf(pages: readonly PageDocument[], planner: Planner | null): ReadonlyMap<string, Spoken> {

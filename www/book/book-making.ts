@@ -78,12 +78,15 @@ export function createBookMaking({
         : await pages.book({ title: album.title(), language, places: named, dates, styles }, told, signal);
       if (!sheets || sheets.length === 0) return;
       last = styles;
-      book.replace(sheets.map((sheet) => ({ ...sheet, page: places.marked(sheet.page) })), {
-        text: strings.book.made({ n: sheets.length }),
-        before: sheetsOf(before),
-        at: before.at,
-        more: places.offered() ? withPlaces : styles === 'one' && book.hasDays.peek() ? withChapters : undefined,
-      });
+      book.replace(
+        sheets.map((sheet) => ({ ...sheet, page: places.marked(sheet.page) })),
+        {
+          text: strings.book.made({ n: sheets.length }),
+          before: sheetsOf(before),
+          at: before.at,
+          more: places.offered() ? withPlaces : styles === 'one' && book.hasDays.peek() ? withChapters : undefined,
+        },
+      );
     } finally {
       progress.value = null;
       stop = null;

@@ -52,7 +52,11 @@ test('the browser remembers the choice, and ignores a damaged one', () => {
     every: { image: true },
     inside: 'png',
   });
-  for (const damaged of ['{', '{"kind":"exe","ways":{"image":"exe","video":"png"},"every":{"exe":true},"inside":"gif"}', '[]']) {
+  for (const damaged of [
+    '{',
+    '{"kind":"exe","ways":{"image":"exe","video":"png"},"every":{"exe":true},"inside":"gif"}',
+    '[]',
+  ]) {
     box.setItem('inkpanel.export', damaged);
     expect(wayOf(createExportChoice(() => box as any).choice.value)).toBe('png');
   }

@@ -75,7 +75,7 @@ describe('words', () => {
     turns = [2, 0, 1];
     await lettering.addAll([
       { kind: 'balloon', text: 'last', panel: 1, auto: false, x: 0.9, y: 0.9 },
-      { kind: 'balloon', text: 'first', panel: 0 },
+      { kind: 'balloon', text: 'first', panel: 0, auto: true },
       { kind: 'balloon', text: 'second', panel: 0, auto: false, x: 0.8, y: 0.8 },
     ]);
     const read = () => lettering.reading.value.map((i) => lettering.words.value[i]);

@@ -281,7 +281,9 @@ export function createLettering({
   /** The text items of the page without the links of one of them. */
   function unlinked(index: number): Word[] {
     const all = words.peek();
-    const linked = all.flatMap((_, i) => (hangsOn(all, i) === index || (i === index && hangsOn(all, i) >= 0) ? [i] : []));
+    const linked = all.flatMap((_, i) =>
+      hangsOn(all, i) === index || (i === index && hangsOn(all, i) >= 0) ? [i] : [],
+    );
     return all.map((word, i) => (linked.includes(i) ? { ...word, joined: null, linked: null } : word));
   }
 

@@ -34,9 +34,17 @@ test('place names are turned on and off in the captions of all pages, except tho
     { ...second, words: [made('Sintra', { located: true }), { kind: 'balloon', text: 'Mine' }] },
     { ...first, words: [{ kind: 'balloon', text: 'Mine' }] },
   ];
-  const project: any = { at: 0, page: pages[0], others: pages.slice(1).map((page, i) => ({ page, pageId: i, sheet: i })) };
+  const project: any = {
+    at: 0,
+    page: pages[0],
+    others: pages.slice(1).map((page, i) => ({ page, pageId: i, sheet: i })),
+  };
   const changes: any[] = [];
-  const store: any = { project: signal(project), page: signal(pages[0]), change: (change: object) => changes.push(change) };
+  const store: any = {
+    project: signal(project),
+    page: signal(pages[0]),
+    change: (change: object) => changes.push(change),
+  };
   let shown = true;
   const ui: any = { narrates: signal(true), showPlaces: (on: boolean) => (shown = on) };
   const moments = () => new Map([['a', { at: null, place: shown ? 'Sintra' : '' }]]);

@@ -91,7 +91,12 @@ function List() {
             </button>
             {index === chosen && order.length > 1 && (
               <>
-                <IconButton icon="unfold" label={strings.wordEarlier} disabled={at === 0} onClick={() => carry(at, -1)} />
+                <IconButton
+                  icon="unfold"
+                  label={strings.wordEarlier}
+                  disabled={at === 0}
+                  onClick={() => carry(at, -1)}
+                />
                 <IconButton
                   icon="fold"
                   label={strings.wordLater}
