@@ -17,7 +17,7 @@ const PATIENCE = 15_000;
 const DAY = 86_400_000;
 
 /**
- * @param app `album`: the title of the album, and the places of its photos; `places`: names of places that the user may add;
+ * @param app `album`: the title of the album, and the places of its photos. `places`: names of places that the user may add.
  * `searched` reads signals: whether all photos were looked at;
  * `ready` loads what places text
  */

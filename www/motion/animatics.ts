@@ -34,8 +34,8 @@ import type { Kind } from './kinds.ts';
 
 export type SizeId = (typeof ANIMATIC_SIZES)[number]['id'];
 /**
- * `seconds`: default duration of a shot, or of a panel without text; `dissolve`: in seconds, 0 for hard cuts; `skips`:
- * whether shots that look like the shot before are left out; `living`: whether panels from videos are animated.
+ * `seconds`: default duration of a shot, or of a panel without text; `dissolve`: in seconds, 0 for hard cuts. `skips`
+ * leaves out shots that look like the shot before, and `living` animates panels from videos.
  */
 export type AnimaticWish = {
   of: 'shots' | 'pages';

@@ -85,7 +85,7 @@ async function eachFrame(
   }
 }
 
-/** Waits for the images of these clips, requests those of the next ones, and frees the others. */
+/** Waits for the images of these clips, requests the images of the next clips, and frees all others. */
 async function have(clips: number[], next: number[]) {
   const needed = [...clips, ...next];
   for (const [clip, drawn] of pictures) {
