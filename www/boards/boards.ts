@@ -12,6 +12,7 @@ import { sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';
 import { createLogos } from './logos.ts';
 import { shotsOf } from './page-shots.ts';
+import { similarShots } from './similar-shots.ts';
 import type { ShotRow } from './shots.ts';
 import {
   ASPECTS,
@@ -71,6 +72,8 @@ export function createBoards({
     ...(['action', ...SPOKEN, 'notes'] as const).map((id) => ({ kind: 'field' as const, id })),
     ...board.value.columns.map((id) => ({ kind: 'own' as const, id })),
   ]);
+  /** The shots that look like the shot before, by the ids of their photos. */
+  const similar = computed(() => similarShots(rows.value, store.album.value));
   /** Frames of all shots together. */
   const total = computed(() => rows.value.reduce((sum, { shot }) => sum + framesOf(shot), 0));
 
@@ -79,6 +82,7 @@ export function createBoards({
     board,
     rows,
     columns,
+    similar,
     total,
     textOf,
     put,

@@ -29,7 +29,7 @@ const REST_MS = 150;
 export type AnimaticProps = { of: AnimaticWish['of']; close: () => void; children: ComponentChildren };
 
 export function AnimaticPanel({ of, close, children }: AnimaticProps) {
-  const { animatics, download, store } = useApp();
+  const { animatics, boards, download, store } = useApp();
   const [chosen, setWish] = useState(USUAL);
   const wish = useMemo(() => ({ ...chosen, of }), [chosen, of]);
   const pages = of === 'pages';
@@ -41,7 +41,7 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
   const kind = kinds === null || kinds.includes(wish.kind) ? wish.kind : kinds[0];
   const asked = useMemo(() => ({ ...wish, kind }), [wish, kind]);
   const seconds = planned ? planned.plan.frames / planned.plan.rate : 0;
-  const similar = pages ? 0 : animatics.similar();
+  const similar = pages ? 0 : boards.similar.value.size;
   const long = kind === 'gif' && seconds > GIF.mostSeconds;
   const off = !planned || planned.plan.frames === 0 || long || download.progress.value !== null;
   const save = () => {

@@ -12,10 +12,8 @@ import { bitmapsOf } from './frames.ts';
 import { drawnWord } from './drawn-word.ts';
 import { createLoops } from './loops.ts';
 import { createMovingPictures } from './moving-pictures.ts';
-import { similarShots } from './similar-shots.ts';
 import { soundOf } from './sound.ts';
 import { GIF, KINDS, gifSize } from './kinds.ts';
-import type { ShotRow } from '../boards/shots.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type {
@@ -92,19 +90,18 @@ export function createAnimatics({
     | 'givesWebp'
     | 'losslessPicture'
   >;
-  boards: { rows: ReadonlySignal<readonly ShotRow[]>; shotList: () => ShotList };
+  boards: {
+    rows: ReadonlySignal<readonly { id: string }[]>;
+    similar: ReadonlySignal<ReadonlySet<string>>;
+    shotList: () => ShotList;
+  };
 }) {
   const loops = createLoops({ store, engine });
 
   /** The panels of a page that move, as pictures over it. */
   const movingPictures = createMovingPictures({ engine, loops });
 
-  return { sizeOf, planned, preview, previewLoops, film, living, movingPictures, similar };
-
-  /** Returns the number of shots that look like the shot before. */
-  function similar(): number {
-    return similarShots(boards.rows.value, store.album.value).size;
-  }
+  return { sizeOf, planned, preview, previewLoops, film, living, movingPictures };
 
   /** In pixels, of frames of a kind of file. */
   function sizeOf({ kind, size }: Pick<AnimaticWish, 'kind' | 'size'>) {
@@ -156,7 +153,7 @@ export function createAnimatics({
     const { width, height } = sizeOf(wish);
     const album = store.album.peek();
     const rows = boards.rows.peek();
-    const skipped = wish.skips ? similarShots(rows, album) : new Set();
+    const skipped = wish.skips ? boards.similar.peek() : new Set();
     const list = boards.shotList();
     const shots = list.shots.filter((_, i) => !skipped.has(rows[i].id));
     const ids = rows.flatMap(({ id }) => (skipped.has(id) ? [] : [id]));

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { UNSPOKEN } from '../boards/shots.ts';
+import { UNSPOKEN } from './shots.ts';
 import { similarShots } from './similar-shots.ts';
 
 test('shots that look like the one before are similar, unless they have text or a length', () => {

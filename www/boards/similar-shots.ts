@@ -1,7 +1,7 @@
 /** Shots that look like the shot before, such as two frames of one camera setting. */
 
 import type { Album } from '../document/album.ts';
-import type { ShotRow } from '../boards/shots.ts';
+import type { ShotRow } from './shots.ts';
 
 /**
  * Maximum fingerprint distance of similar shots, in bits of 64. Only neighbours are compared, so it may be higher than for
