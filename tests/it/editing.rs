@@ -765,7 +765,11 @@ fn frames_of_a_video_keep_their_order_on_a_page() {
     let editor = played([Edit::AddPhotos { ids: frames.iter().map(|photo| photo.id.clone()).collect() }]);
     let is_in_order = |photos: &[PhotoMeta], seed: u32| {
         let planning = Planning::new(editor.project(), photos);
-        let request = Request { panels: Some(6), keep: Keep { layout: false, style: false, photos: false }, ..planning.request(seed) };
+        let request = Request {
+            panels: Some(6),
+            keep: Keep { layout: false, style: false, photos: false },
+            ..planning.request(seed)
+        };
         let page = planning.plan(request, None).unwrap().unwrap();
         let mut read: Vec<String> =
             page.reading_order().into_iter().filter_map(|panel| page.panels[panel].photo.clone()).collect();

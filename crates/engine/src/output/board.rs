@@ -277,8 +277,7 @@ impl Request {
             known.into_iter().filter(|(_, text)| !text.is_empty()).map(|(label, text)| labelled(label, text));
         let own = self.list.columns.iter().filter_map(|name| Some(labelled(name, shot.more.get(name)?)));
         let action = std::iter::once(shot.action.clone());
-        let fields: Vec<String> =
-            action.chain(known).chain(own).filter(|text| !text.is_empty()).collect();
+        let fields: Vec<String> = action.chain(known).chain(own).filter(|text| !text.is_empty()).collect();
         let heading = Area { height: 1.3 * size, ..*text };
         let rest = Area { y: text.y + 1.5 * size, height: text.height - 1.5 * size, ..*text };
         // Text items are read with their frame.

@@ -95,8 +95,18 @@ pub struct Film {
 
 /// Standard columns of the table, without custom columns. A table has the last two only if a shot has them.
 pub const HEADINGS: [&str; 12] = [
-    "Scene", "Shot", "Picture", "Film", "Time code", "Duration", "Frames", "Action", "Dialogue", "Notes",
-    "Caption", "Sound",
+    "Scene",
+    "Shot",
+    "Picture",
+    "Film",
+    "Time code",
+    "Duration",
+    "Frames",
+    "Action",
+    "Dialogue",
+    "Notes",
+    "Caption",
+    "Sound",
 ];
 
 /// A kind of list.

@@ -49,8 +49,6 @@ const NEAR: f64 = 60.0;
 const BODY: f64 = 60.0;
 /// Cost of covering an object: a detected one, and one that is the subject of its photo.
 const THING: (f64, f64) = (3.0, 12.0);
-/// Cost of covering the estimated head of a person or an animal without a detected face.
-const HEAD: f64 = 120.0;
 /// Estimated head of a person or an animal: width, and height, as shares of its width. The head is at most half
 /// of its height.
 const HEAD_SIZE: (f64, f64) = (0.6, 0.8);
@@ -536,7 +534,7 @@ impl Room<'_> {
             let until = entry(foot, mouth, grown(head, 0.003)) - 1e-3;
             let along = REACH.min(until).max(0.0);
             let length = along * way;
-            let mut short = stubby(length);
+            let mut short = if length < TAIL.0 { 14.0 * (1.0 - length / TAIL.0) + 2.0 } else { 0.0 };
             if along < HALF_WAY && !self.figures.is_empty() {
                 short += LEANING.0 + LEANING.1 * (1.0 - along / HALF_WAY);
             }
@@ -555,19 +553,17 @@ impl Room<'_> {
             let foot = edge(area, target);
             let way = foot.distance(target);
             let mut length = TAIL.1.max(REACH.min(0.5) * way).min(0.9 * way).min(3.0 * TAIL.1);
-            let mut cost = cost;
             if let Some(head) = head {
-                // As with a face, the tail ends before it.
-                length = length.min((entry(foot, target, head) - 1e-3).max(0.0) * way);
-                let own = area.width * area.height;
-                cost += stubby(length) + HEAD * cover(area, head, true) / own.max(1e-12);
+                // As with a face, the tail ends before it. The estimate is too vague to keep balloons off it.
+                length = length.min((entry(foot, target, head) * way).max(TAIL.0));
             }
             // A balloon above its target has no tail.
             let inside = ((target.x - center(area).x) / area.width).abs() < 0.5
                 && ((target.y - center(area).y) / area.height).abs() < 0.5;
             let tip = (!inside).then(|| foot.toward(target, length / way.max(1e-9)));
             let far = (way - 0.1 * size).abs() / size;
-            cost += 2.0 * far + if inside { 6.0 } else { 0.0 } + tip.map_or(0.0, |tip| self.grazed(area, tip));
+            let grazed = tip.map_or(0.0, |tip| self.grazed(area, tip));
+            let cost = cost + 2.0 * far + if inside { 6.0 } else { 0.0 } + grazed;
             out.push(Place { tip, foot, cost, ..bare });
         }
     }
@@ -637,11 +633,6 @@ impl Room<'_> {
         }
         cost
     }
-}
-
-/// Cost of a tail that is too short to point.
-fn stubby(length: f64) -> f64 {
-    if length < TAIL.0 { 14.0 * (1.0 - length / TAIL.0) + 2.0 } else { 0.0 }
 }
 
 /// Cost of two items of a panel together. The first precedes the second in the text, directly if they
