@@ -47,6 +47,7 @@ fn list((fps, pace): (u32, Pace)) -> ShotList {
         more: BTreeMap::from([("Lens".into(), "35 mm".into())]),
         name: if i < 10 { format!("photo {i}.jpg") } else { "IMG_0001.jpg".into() },
         film,
+        ..ListedShot::default()
     };
     let films = [
         None,
