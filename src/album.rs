@@ -314,6 +314,7 @@ impl Album {
             places: book.places.clone().unwrap_or_else(|| self.folders()),
             pages: book.pages,
             styles: if book.by_chapter { Styles::Chapters } else { Styles::One },
+            ..Wish::default()
         };
         let shelf = Shelf::new(used.len());
         let request =

@@ -761,6 +761,30 @@ fn shown(editor: &Editor) -> Vec<Vec<String>> {
 }
 
 #[test]
+fn frames_of_a_video_keep_their_order_on_a_page() {
+    let frames: Vec<PhotoMeta> =
+        metas(6).into_iter().map(|photo| PhotoMeta { frame: true, taken: None, ..photo }).collect();
+    let photos: Vec<PhotoMeta> =
+        frames.iter().map(|frame| PhotoMeta { frame: false, ..frame.clone() }).collect();
+    let editor = played([Edit::AddPhotos { ids: frames.iter().map(|photo| photo.id.clone()).collect() }]);
+    let is_in_order = |photos: &[PhotoMeta], seed: u32| {
+        let planning = Planning::new(editor.project(), photos);
+        let request = Request {
+            panels: Some(6),
+            keep: Keep { layout: false, style: false, photos: false },
+            ..planning.request(seed)
+        };
+        let page = planning.plan(request, None).unwrap().unwrap();
+        let mut read: Vec<String> =
+            page.reading_order().into_iter().filter_map(|panel| page.panels[panel].photo.clone()).collect();
+        read.dedup();
+        read.is_sorted()
+    };
+    assert!((1..9).all(|seed| is_in_order(&frames, seed)));
+    assert!(!(1..9).all(|seed| is_in_order(&photos, seed)), "the order of photos without dates is free");
+}
+
+#[test]
 fn an_album_is_spread_over_pages_in_order_in_one_style() {
     let photos = metas(40);
     let mut editor = opened(&photos);

@@ -47,6 +47,7 @@ fn list((fps, pace): (u32, Pace)) -> ShotList {
         more: BTreeMap::from([("Lens".into(), "35 mm".into())]),
         name: if i < 10 { format!("photo {i}.jpg") } else { "IMG_0001.jpg".into() },
         film,
+        ..ListedShot::default()
     };
     let films = [
         None,
@@ -177,7 +178,9 @@ fn a_saved_project_tells_its_shots_in_their_order_with_their_films() {
         { "id": "a", "shot": { "action": "Enters.", "frames": 12, "more": { "Lens": "35" } } }, { "id": "b", "use": true },
         { "id": "c", "use": false }, { "id": "d" }, { "id": "e", "use": true, "shot": { "number": "1B" } },
     ]);
-    let page = json!({ "version": 1, "seed": 1, "layout": "grid-4", "style": "comic", "panels": panels });
+    let word = |kind: &str, text: &str| json!({ "kind": kind, "text": text, "panel": 0 });
+    let words = [word("caption", "Later"), word("balloon", "*Who* is it?"), word("effect", "BANG")];
+    let page = json!({ "version": 1, "seed": 1, "layout": "grid-4", "style": "comic", "panels": panels, "words": words });
     let photo = |id: &str, rank: u64| json!({ "id": id, "name": format!("{id}.jpg"), "path": format!("photos/{id}.jpg"), "rank": rank });
     let mut photos = json!([photo("a", 3), photo("b", 1), photo("c", 0), photo("d", 2), photo("e", 4)]);
     photos[1]["video"] = json!("v");
@@ -200,6 +203,9 @@ fn a_saved_project_tells_its_shots_in_their_order_with_their_films() {
     };
     assert_eq!((list.shots[2].film.as_ref(), list.shots[0].frames, list.fps), (Some(&film), Some(12), 25));
     assert_eq!(list.shots[0].more["Lens"], "35");
+    let said = |shot: &ListedShot| [shot.dialogue.clone(), shot.caption.clone(), shot.sound.clone()];
+    assert_eq!(said(&list.shots[0]), ["Who is it?", "Later", "BANG"]);
+    assert_eq!(said(&list.shots[1]), ["", "", ""]);
 }
 
 #[test]

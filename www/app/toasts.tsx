@@ -14,6 +14,7 @@ export function Toasts() {
   const opening = keeping.files.progress.value;
   const list = messages.list.value;
   const running = download.progress.value;
+  const left = running?.left ?? null;
   const saving = keeping.files.saving.value;
   const percent = running ? strings.percent(running.done / Math.max(1, running.total)) : '';
   const exporting = running
@@ -33,7 +34,10 @@ export function Toasts() {
         {running && (
           <div class="toast" aria-busy="true">
             <div class="toast-work">
-              <span>{exporting}</span>
+              <span>
+                {exporting}
+                {left !== null && <span class="toast-left">{timeLeft(left)}</span>}
+              </span>
               <progress class="progress" aria-label={exporting} value={running.done} max={running.total} />
             </div>
             <button type="button" class="button" onClick={download.cancel}>
@@ -89,6 +93,12 @@ export function Toasts() {
       {messages.listed.value && <FailedFiles />}
     </>
   );
+}
+
+/** @param seconds a multiple of five */
+function timeLeft(seconds: number): string {
+  if (seconds < 60) return strings.timeLeft.seconds({ n: seconds });
+  return strings.timeLeft.minutes({ n: Math.ceil(seconds / 60) });
 }
 
 function Alerts({ list, class: name }: { list: Message[]; class: string }) {

@@ -26,7 +26,7 @@ test('films of one name are listed by their keys, with the timecodes of their ca
   ]);
 });
 
-test('the shots follow the pages, with their balloons and captions as dialogue, and unused photos come last', async () => {
+test('the shots follow the pages, with their text in columns by kind, and unused photos come last', async () => {
   const app = fakeApp();
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg', 'd.jpg'));
   const { store } = app;
@@ -42,10 +42,11 @@ test('the shots follow the pages, with their balloons and captions as dialogue, 
   store.change({ type: 'change-page', page: { ...page, layout: 'grid-2', panels, words, merges: [] } });
   const boards = createBoards({ store, engine: {} as any, chooseStyle: () => {} });
   expect(boards.rows.value.map(({ id }) => id)).toEqual([c, a, b, d]);
-  const dialogue = () => boards.shotList().shots.map((shot) => shot.dialogue);
-  expect(dialogue()).toEqual(['Later\nAnd you?', 'Ann: Me?', '', '']);
+  const said = () => boards.shotList().shots.map(({ dialogue, caption, sound }) => [dialogue, caption, sound]);
+  const nothing = ['', '', ''];
+  expect(said()).toEqual([['And you?', 'Later', 'BANG'], ['Ann: Me?', '', ''], nothing, nothing]);
   boards.put({ row: 1, column: boards.columns.value.findIndex(({ id }) => id === 'dialogue') }, [['Mine']]);
-  expect(dialogue()).toEqual(['Later\nAnd you?', 'Mine', '', '']);
+  expect(said()).toEqual([['And you?', 'Later', 'BANG'], ['Mine', '', ''], nothing, nothing]);
   // A shot that was dragged stays there until the order follows the pages again.
   boards.move(3, 0);
   expect(boards.rows.value.map(({ id }) => id)).toEqual([d, c, a, b]);

@@ -12,6 +12,7 @@ import { sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';
 import { createLogos } from './logos.ts';
 import { shotsOf } from './page-shots.ts';
+import { similarShots } from './similar-shots.ts';
 import type { ShotRow } from './shots.ts';
 import {
   ASPECTS,
@@ -20,6 +21,8 @@ import {
   NO_BOARD,
   numbered,
   ordered,
+  SPOKEN,
+  UNSPOKEN,
   USUAL_SECONDS,
   withColumn,
   withField,
@@ -29,7 +32,7 @@ export type Boards = ReturnType<typeof createBoards>;
 /** A column of the list: a standard field, the length, or a custom field. */
 export type Column = { kind: 'field' | 'length' | 'own'; id: string };
 
-const UNTOLD = { scene: '', action: '', dialogue: '', notes: '', more: {} };
+const UNTOLD = { scene: '', action: '', notes: '', more: {} };
 
 /** The look of markers, and six frames of a screen on a sheet. */
 const FILM_BOARD = { style: 'storyboard', frames: 6, aspect: '16:9', beside: false } as const;
@@ -59,14 +62,18 @@ export function createBoards({
     const there = new Set(used);
     const onPages = [...pageShots.value.keys()].filter((id) => there.has(id));
     const ids = ordered(board.value.order, [...new Set([...onPages, ...used])]);
-    return numbered(ids.map((id) => ({ id, shot: items.get(id)?.shot ?? {}, said: pageShots.value.get(id) ?? '' })));
+    return numbered(
+      ids.map((id) => ({ id, shot: items.get(id)?.shot ?? {}, said: pageShots.value.get(id) ?? UNSPOKEN })),
+    );
   });
   const columns = computed((): readonly Column[] => [
     ...(['scene', 'number'] as const).map((id) => ({ kind: 'field' as const, id })),
     { kind: 'length', id: 'length' },
-    ...(['action', 'dialogue', 'notes'] as const).map((id) => ({ kind: 'field' as const, id })),
+    ...(['action', ...SPOKEN, 'notes'] as const).map((id) => ({ kind: 'field' as const, id })),
     ...board.value.columns.map((id) => ({ kind: 'own' as const, id })),
   ]);
+  /** The shots that look like the shot before, by the ids of their photos. */
+  const similar = computed(() => similarShots(rows.value, store.album.value));
   /** Frames of all shots together. */
   const total = computed(() => rows.value.reduce((sum, { shot }) => sum + framesOf(shot), 0));
 
@@ -75,6 +82,7 @@ export function createBoards({
     board,
     rows,
     columns,
+    similar,
     total,
     textOf,
     put,
@@ -96,8 +104,7 @@ export function createBoards({
   function textOf({ shot, said }: Pick<ShotRow, 'shot' | 'said'>, { kind, id }: Column): string {
     if (kind === 'own') return shot.more?.[id] ?? '';
     if (kind === 'length') return shot.frames === undefined ? '' : lengthText(shot.frames, board.value);
-    if (id === 'dialogue') return shot.dialogue ?? said;
-    return shot[id as 'action'] ?? '';
+    return shot[id as 'action'] ?? said[id as 'dialogue'] ?? '';
   }
 
   /** @returns the shot with the new text of a cell; null for an invalid length */
@@ -179,7 +186,7 @@ export function createBoards({
         length: video.duration ?? undefined,
         timecode: video.timecode,
       };
-      return { ...UNTOLD, dialogue: said, ...told, number, name: fact?.name ?? id, ...(film && { film }) };
+      return { ...UNTOLD, ...said, ...told, number, name: fact?.name ?? id, ...(film && { film }) };
     });
     const { heading } = strings.boards;
     const title = store.project.peek().name;

@@ -237,7 +237,7 @@ describe('tables', () => {
   });
 
   test('list the dialogue of pages, which stays that of the pages', () => {
-    const [row] = numbered([{ id: 'p', shot: {}, said: 'Anna: Hello' }]);
+    const [row] = numbered([{ id: 'p', shot: {}, said: { dialogue: 'Anna: Hello', caption: 'Later', sound: '' } }]);
     const told = fromTable('Dialogue,Notes\nAnna: Hello,N\n', {
       rows: [row],
       board: NO_BOARD,

@@ -9,7 +9,7 @@ import { wellFormed } from '../document/limits.ts';
 import { MOST } from '../engine/bounds.ts';
 import type { Board, Shot } from '../engine/types.ts';
 import { fountainLines } from './fountain.ts';
-import type { ShotRow } from './shots.ts';
+import type { Field, ShotRow, Spoken } from './shots.ts';
 import { lengthOf, USUAL_SECONDS, withColumn, withField } from './shots.ts';
 
 export { isFountain } from './fountain.ts';
@@ -119,7 +119,14 @@ function plainHeading(heading: string): string {
 }
 
 /** The standard columns that are fields of a shot, by their places among the headings. */
-const FIELDS: Readonly<Record<number, string>> = { 0: 'scene', 7: 'action', 8: 'dialogue', 9: 'notes' };
+const FIELDS: Readonly<Record<number, Field>> = {
+  0: 'scene',
+  7: 'action',
+  8: 'dialogue',
+  9: 'notes',
+  10: 'caption',
+  11: 'sound',
+};
 const SCENE = 0;
 const NUMBER = 1;
 const PICTURE = 2;
@@ -258,8 +265,8 @@ function filled(
       failed(`${row}, ${heading && `${heading}: `}${text}`);
     if (place === NUMBER) number = text;
     else if (typeof length === 'number') lengths.push(length);
-    // The dialogue of the pages is in the list of a shot without a dialogue.
-    else if (field === 'dialogue' && before.dialogue === undefined && text === said.trim()) return;
+    // The text of the pages is in the list of a shot without its own text.
+    else if (field !== undefined && before[field] === undefined && text === textOn(said, field)) return;
     else if (field !== undefined) shot = withField(shot, field, text);
     else if (typeof place === 'string' && place !== '') shot = withColumn(shot, place, text);
   });
@@ -267,6 +274,11 @@ function filled(
   const now = before.frames ?? USUAL_SECONDS * board.fps;
   const edited = lengths.filter((length) => length !== now).at(-1);
   return { shot: edited === undefined ? shot : { ...shot, frames: edited }, number };
+}
+
+/** Returns the text of the pages for a field. */
+function textOn(said: Spoken, field: Field): string | undefined {
+  return said[field as keyof Spoken]?.trim();
 }
 
 /**

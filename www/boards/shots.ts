@@ -5,10 +5,14 @@
 
 import type { Board, Shot } from '../engine/types.ts';
 
-/** `said`: the dialogue on the pages, for a shot without a dialogue. */
-export type ShotRow = { id: string; number: string; shot: Shot; said: string };
+/** Fields with the text on the pages, until the user writes another. */
+export const SPOKEN = ['dialogue', 'caption', 'sound'] as const;
+export type Spoken = Readonly<Record<(typeof SPOKEN)[number], string>>;
+export const UNSPOKEN: Spoken = Object.freeze({ dialogue: '', caption: '', sound: '' });
+/** `said`: the text on the pages. */
+export type ShotRow = { id: string; number: string; shot: Shot; said: Spoken };
 /** The fields that are text and that every board has, in the order of the list. */
-export const FIELDS = ['scene', 'number', 'action', 'dialogue', 'notes'] as const;
+export const FIELDS = ['scene', 'number', 'action', ...SPOKEN, 'notes'] as const;
 export type Field = (typeof FIELDS)[number];
 
 /** As in an empty project: `Board::default` in `crates/engine/src/document/shots.rs`. */
@@ -66,12 +70,12 @@ export function ordered(order: readonly string[], photos: readonly string[]): st
 }
 
 /** Like `numbers` in that file: the number of the shot itself, or a count of shots without a number. */
-export function numbered(rows: readonly (Pick<ShotRow, 'id' | 'shot'> & { said?: string })[]): ShotRow[] {
+export function numbered(rows: readonly (Pick<ShotRow, 'id' | 'shot'> & { said?: Spoken })[]): ShotRow[] {
   let counted = 0;
   return rows.map((row) => {
     const own = row.shot.number?.trim();
     if (!own) counted += 1;
-    return { said: '', ...row, number: own || String(counted) };
+    return { said: UNSPOKEN, ...row, number: own || String(counted) };
   });
 }
 

@@ -10,9 +10,11 @@ export function createBookActions({
   store,
   book,
   bookMaking,
+  framing,
   messages,
+  selection,
   ui,
-}: Pick<App, 'store' | 'book' | 'bookMaking' | 'messages' | 'ui'>) {
+}: Pick<App, 'store' | 'book' | 'bookMaking' | 'framing' | 'messages' | 'selection' | 'ui'>) {
   const { at, several } = book;
   const last = computed(() => at.value === store.project.value.others.length);
   const whyNotAdd = computed(book.cannotAdd);
@@ -67,9 +69,24 @@ export function createBookActions({
       label: strings.book.makeChapters,
       help: computed(() => whyNotSpread.value || strings.book.makeChaptersHelp),
       icon: 'book',
-      enabled: computed(() => whyNotSpread.value === '' && bookMaking.progress.value === null),
+      enabled: computed(
+        () =>
+          book.isMade.value && book.hasDays.value && whyNotSpread.value === '' && bookMaking.progress.value === null,
+      ),
       run: () => asked(() => bookMaking.make('chapters')),
       undo: 'step',
+    },
+    cover: {
+      label: strings.book.cover,
+      help: computed(() => strings.book.coverHelp),
+      icon: 'photos',
+      enabled: book.isMade,
+      run() {
+        book.go(book.coverAt());
+        selection.set([0]);
+        framing.mode.value = { kind: 'replace', panel: 0 };
+        if (!ui.wide.peek()) ui.sheet.value = 'photos';
+      },
     },
     spread: {
       label: strings.book.spreadAlbum,

@@ -1,16 +1,27 @@
 import { signal } from '@preact/signals';
 import { expect, test, vi } from 'vitest';
 import { nextTask } from '../engine/scheduler.ts';
+import { strings } from '../strings/strings.ts';
 import { createBookMaking } from './book-making.ts';
 import { opened } from './book-testing.ts';
 
-async function making(count: number, { searched = () => true }: { searched?: () => boolean } = {}) {
+async function making(
+  count: number,
+  {
+    searched = () => true,
+    at = null,
+    offered = () => false,
+  }: { searched?: () => boolean; at?: number | null; offered?: () => boolean } = {},
+) {
   const app = await opened(count);
+  const ids = app.store.photos.peek().map(({ id }) => id);
+  const moments = new Map(ids.map((id) => [id, { at, place: '' }]));
   const bookMaking = createBookMaking({
     store: app.store,
     book: app.book,
     pages: app.pages,
-    album: { title: () => 'Trip', moments: () => new Map() },
+    album: { title: () => 'Trip', moments: () => moments },
+    places: { offered, add: vi.fn(), marked: (page) => page },
     searched,
     ready: () => Promise.resolve(),
   });
@@ -32,6 +43,34 @@ test('a book has every photo once behind its cover, and is one undo step', async
   expect(bookMaking.progress.peek()).toBeNull();
   pages.undo();
   expect(store.sheets.peek()).toEqual([before]);
+});
+
+test('the cover is known wherever it is, and plain pages have none', async () => {
+  const { bookMaking, book } = await making(14);
+  book.spreadAlbum();
+  expect([book.isMade.value, book.coverAt()]).toEqual([false, -1]);
+  await bookMaking.make('one');
+  expect([book.isMade.value, book.onCover.value, book.coverAt()]).toEqual([true, true, 0]);
+  book.move(0, 2);
+  expect([book.coverAt(), book.onCover.value]).toEqual([2, true]);
+  book.go(0);
+  expect(book.onCover.value).toBe(false);
+});
+
+test('the dates of a book have the format of the user', async () => {
+  const { bookMaking, pages } = await making(14, { at: Date.UTC(2026, 5, 9, 15) });
+  const made = vi.spyOn(pages, 'book');
+  await bookMaking.make('one');
+  expect(made.mock.calls[0][0].dates).toEqual({
+    span: strings.dates(Date.UTC(2026, 5, 9), Date.UTC(2026, 5, 9)),
+    days: { '2026-06-09': strings.shortDayOf(Date.UTC(2026, 5, 9)) },
+  });
+});
+
+test('a book of photos with locations offers their place names', async () => {
+  const { bookMaking, messages } = await making(14, { offered: () => true });
+  await bookMaking.make('one');
+  expect(messages.list.peek().at(-1)?.more?.label).toBe(strings.addPlaces);
 });
 
 test('page numbers follow a move, and a shuffle keeps the text of a book', async () => {

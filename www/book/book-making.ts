@@ -5,7 +5,7 @@ import { timeLimit } from '../engine/scheduler.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { language, strings } from '../strings/strings.ts';
 import type { Signal } from '@preact/signals';
-import type { BookStyles } from '../engine/types.ts';
+import type { BookDates, BookStyles, PageDocument } from '../engine/types.ts';
 import type { Book } from './book.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
@@ -14,8 +14,11 @@ export type BookMaking = ReturnType<typeof createBookMaking>;
 
 /** Maximum time in ms to wait for faces, which choose the cover. Crops follow later detections. */
 const PATIENCE = 15_000;
+const DAY = 86_400_000;
+
 /**
- * @param app `album`: the title of the album, and the places of its photos; `searched` reads signals: whether all photos were looked at;
+ * @param app `album`: the title of the album, and the places of its photos. `places`: names of places that the user may add.
+ * `searched` reads signals: whether all photos were looked at;
  * `ready` loads what places text
  */
 export function createBookMaking({
@@ -23,21 +26,37 @@ export function createBookMaking({
   book,
   pages,
   album,
+  places,
   searched,
   ready,
 }: {
   store: Store;
-  book: Pick<Book, 'cannotSpread' | 'replace'>;
+  book: Pick<Book, 'cannotSpread' | 'replace' | 'hasDays'>;
   pages: Pick<Pages, 'book'>;
-  album: { title: () => string; moments: () => ReadonlyMap<string, { place: string }> };
+  album: { title: () => string; moments: () => ReadonlyMap<string, { at: number | null; place: string }> };
+  places: { offered: () => boolean; add: () => void; marked: (page: PageDocument) => PageDocument };
   searched: () => boolean;
   ready: () => Promise<unknown>;
 }) {
   /** Pages that are planned, and their number, which is 0 while photos are looked at; null if no book is made. */
   const progress = signal(null) as Signal<{ done: number; of: number } | null>;
   let stop: AbortController | null = null;
+  let last: BookStyles = 'one';
+  const withChapters = { label: strings.book.makeChapters, run: () => void make('chapters') };
+  const withPlaces = {
+    label: strings.addPlaces,
+    run: () => {
+      places.add();
+      void again();
+    },
+  };
 
-  return { progress, make, cancel };
+  return { progress, make, again, cancel };
+
+  /** Makes the book again, with as many styles as before. */
+  function again() {
+    return make(last);
+  }
 
   /** @param styles one style for all pages, or one per chapter */
   async function make(styles: BookStyles) {
@@ -48,23 +67,26 @@ export function createBookMaking({
     try {
       await Promise.all([ready(), looked(signal)]);
       const before = store.project.peek();
-      const places = Object.fromEntries([...album.moments()].map(([id, { place }]) => [id, place]));
+      const moments = album.moments();
+      const named = Object.fromEntries([...moments].map(([id, { place }]) => [id, place]));
+      const dates = datesOf(store.photos.peek().map(({ id }) => moments.get(id)?.at ?? null));
       const told = (done: number, of: number) => {
         progress.value = { done, of };
       };
       const sheets = signal.aborted
         ? null
-        : await pages.book({ title: album.title(), language, places, styles }, told, signal);
+        : await pages.book({ title: album.title(), language, places: named, dates, styles }, told, signal);
       if (!sheets || sheets.length === 0) return;
-      book.replace(sheets, {
-        text: strings.book.made({ n: sheets.length }),
-        before: sheetsOf(before),
-        at: before.at,
-        more:
-          styles === 'one' && new Set(store.photos.peek().map(({ taken }) => taken?.slice(0, 10))).size > 1
-            ? { label: strings.book.makeChapters, run: () => void make('chapters') }
-            : undefined,
-      });
+      last = styles;
+      book.replace(
+        sheets.map((sheet) => ({ ...sheet, page: places.marked(sheet.page) })),
+        {
+          text: strings.book.made({ n: sheets.length }),
+          before: sheetsOf(before),
+          at: before.at,
+          more: places.offered() ? withPlaces : styles === 'one' && book.hasDays.peek() ? withChapters : undefined,
+        },
+      );
     } finally {
       progress.value = null;
       stop = null;
@@ -85,4 +107,13 @@ export function createBookMaking({
     });
     for (const end of ends) end();
   }
+}
+
+/** Returns the dates of photos in the format of the user. @param times local times in milliseconds, as if they were UTC */
+function datesOf(times: readonly (number | null)[]): BookDates {
+  const known = times.filter((time) => time !== null);
+  if (known.length === 0) return {};
+  const days = known.map((time) => [new Date(time).toISOString().slice(0, 10), strings.shortDayOf(time)] as const);
+  const ends = [Math.min(...known), Math.max(...known)].map((time) => Math.floor(time / DAY) * DAY);
+  return { span: strings.dates(ends[0], ends[1]), days: Object.fromEntries(days) };
 }

@@ -40,6 +40,9 @@ export function createBook({
   const at = computed(() => store.project.value.at);
   const several = computed(() => store.project.value.others.length > 0);
 
+  /** Whether the pages are a book with a cover. */
+  const isMade = computed(() => several.value && store.sheets.value.some((page) => isCover(page)));
+
   /** Names the page that is edited through all its versions. */
   const sheet = computed(() => store.project.value.sheet);
 
@@ -48,6 +51,10 @@ export function createBook({
     /** Whether enough photos are on no page for an offer to make more pages. */
     areManyLeft: computed(() => left.value.length >= MANY_LEFT),
     oneStyle,
+    isMade,
+    onCover: computed(() => isMade.value && at.value === coverAt()),
+    coverAt,
+    hasDays: computed(() => new Set(store.photos.value.map(({ taken }) => taken?.slice(0, 10))).size > 1),
     at,
     several,
     sheet,
@@ -62,6 +69,11 @@ export function createBook({
     replace,
     styleAll,
   };
+
+  /** @returns the place of the cover, or -1 */
+  function coverAt(): number {
+    return store.sheets.value.findIndex(isCover);
+  }
 
   /** @returns why there can be no more pages now; empty when there can */
   function cannotAdd(): string {
@@ -162,4 +174,9 @@ export function createBook({
   function set(sheets: readonly Sheet[], at: number) {
     store.change({ type: 'set-sheets', sheets, at });
   }
+}
+
+/** Whether a page has text of a book, but no page number: it is the cover. */
+function isCover({ words = [] }: PageDocument): boolean {
+  return words.some(({ book }) => book) && !words.some(({ number }) => number);
 }

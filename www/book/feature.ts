@@ -35,6 +35,11 @@ export const bookFeature: Feature<Parts> = {
         ...app,
         book,
         album: reading,
+        places: {
+          offered: () => app.placeNames.offered.peek(),
+          add: () => ui.showPlaces(true),
+          marked: app.placeNames.marked,
+        },
         searched: () => !ui.detects || (subjects.searched.value && subjects.settled.value),
         ready: () => Promise.all([app.lettering.ready(), app.placeNames.settled()]),
       }),

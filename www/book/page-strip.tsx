@@ -79,7 +79,8 @@ function Several() {
 
 /** Actions of the page in the storyboard. */
 function Tools() {
-  const { earlier, later, remove, styleAll } = useApp().actions.book;
+  const { ui, actions } = useApp();
+  const { cover, earlier, later, remove, styleAll } = actions.book;
   return (
     <div class="book-tools">
       <div class="book-icons">
@@ -88,8 +89,9 @@ function Tools() {
         <ActionButton action={remove} />
       </div>
       {isEnabled(styleAll) && <ActionButton action={styleAll} class="book-text" text />}
+      {isEnabled(cover) && <ActionButton action={cover} class="book-text" text />}
       <MakeBook />
-      <SpreadAlbum />
+      {!ui.wide.value && <SpreadAlbum />}
     </div>
   );
 }

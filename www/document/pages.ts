@@ -78,16 +78,9 @@ export function createPages(
   function plan(wish: Wish): PageDocument | null {
     if (!canPlan()) return null;
     const page = store.project.peek().settings;
-    const order = areFrames() ? { ordered: true } : {};
-    const planned = store.plans().page({ page, ...order, ...asked(wish), seed: wish.seed ?? seed() });
+    const planned = store.plans().page({ page, ...asked(wish), seed: wish.seed ?? seed() });
     const isNew = !wish.keep.layout || !wish.keep.photos;
     return settledOr(planned && isNew ? narrated(planned, store.project.peek().at) : planned);
-  }
-
-  /** Frames of videos tell something in their order; photos without dates do not. */
-  function areFrames() {
-    const album = store.album.peek();
-    return store.photos.peek().every(({ id }) => album.get(id)?.video !== undefined);
   }
 
   function canPlan() {

@@ -70,6 +70,10 @@ export type Shot = {
   action?: string,
   /** Dialogue. */
   dialogue?: string,
+  /** Captions. */
+  caption?: string,
+  /** Sounds. */
+  sound?: string,
   /** Notes. */
   notes?: string,
   /** How long it is, in frames of the board's rate. */
@@ -130,6 +134,10 @@ export type ListedShot = {
   action: string,
   /** Dialogue. */
   dialogue: string,
+  /** Captions. */
+  caption?: string,
+  /** Sounds. */
+  sound?: string,
   /** Notes. */
   notes: string,
   /** Duration in frames. Default: two seconds. */
@@ -358,6 +366,10 @@ export type BoardLabels = {
   scene: string,
   /** Label of the dialogue. */
   dialogue: string,
+  /** Label of captions. */
+  caption?: string,
+  /** Label of sounds. */
+  sound?: string,
   /** Before the notes. */
   notes: string,
   /** Number of the sheet, and total number of sheets. */
@@ -1079,6 +1091,8 @@ export type Word = {
   book?: boolean,
   /** Whether it is a page number, which follows the position of the page. */
   number?: boolean,
+  /** Whether it names a place by the location in a photo. */
+  located?: boolean,
   /** The photo that it belongs to. The item follows this photo. Default: the photo on its panel. */
   photo?: string | null,
   /** The subtitle of origin, so that it is not added twice. */
@@ -1137,6 +1151,8 @@ export type WordBox = {
   fill: string,
   /** Id of its font. */
   font: string,
+  /** Its place in the reading order of the page, from 0. */
+  turn: number,
 };
 
 /** A page template that has passed every check of its schema (see `layouts/README.md`). */
@@ -1246,6 +1262,8 @@ export type BookWish = {
   language?: string,
   /** The places of photos by id. */
   places?: { [key in string]: string },
+  /** Dates in the format of the user. Default: in the format of the language. */
+  dates?: BookDates,
   /** Number of pages with cover and end page, from `MIN_PAGES`. Default: as many as the photos need. */
   pages?: number,
   /** How styles are chosen. */
@@ -1254,6 +1272,14 @@ export type BookWish = {
 
 /** How the styles of a book are chosen. */
 export type BookStyles = "one" | "chapters";
+
+/** Dates in the format of the user. The texts of the language replace missing ones. */
+export type BookDates = {
+  /** The days of the book, for its cover. */
+  span?: string,
+  /** Dates without their year, by day such as `2026-06-09`. */
+  days?: { [key in string]: string },
+};
 
 /**
  * The user's learned preferences, as natural logarithms of the factors for the weights of families and

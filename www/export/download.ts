@@ -9,6 +9,7 @@ import { save } from '../ui/files.ts';
 import { fileName, panelName } from './export-name.ts';
 import { FORMATS, isArchive, isFilm, isList } from './formats.ts';
 import { createMaking } from './page-making.ts';
+import { createTimeLeft } from './time-left.ts';
 import { sized } from '../page/paper.ts';
 import { codeOf, explain } from '../ui/explain.ts';
 import type { Animatics, AnimaticWish } from '../motion/animatics.ts';
@@ -57,8 +58,10 @@ export function createDownload({
   animatics: Pick<Animatics, 'film' | 'movingPictures'>;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
-  /** `packing`: the pages are drawn, and other content is added. `filming`: progress counts frames. */
-  const progress: Signal<(Progress & { packing?: boolean; filming?: AnimaticWish['of'] }) | null> = signal(null);
+  /** `packing`: the pages are drawn, and other content is added. `filming`: progress counts frames. `left`: seconds. */
+  const progress: Signal<
+    (Progress & { packing?: boolean; filming?: AnimaticWish['of']; left?: number | null }) | null
+  > = signal(null);
   let running: AbortController | null = null;
   const make = createMaking({ store, engine, shotList, animatics });
 
@@ -209,11 +212,12 @@ export function createDownload({
     if (running) return null;
     running = new AbortController();
     const { signal: stop } = running;
+    const leftOf = createTimeLeft(() => performance.now());
     try {
       const made = await make({
         signal: stop,
         onProgress: (done, total) => {
-          progress.value = { done, total, filming };
+          progress.value = { done, total, filming, left: leftOf(done, total) };
         },
       });
       return stop.aborted ? null : made;

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { createExportChoice, KINDS, madeOf, wayOf, WAYS, withWay } from './export-choice.ts';
+import { createExportChoice, hasAll, KINDS, madeOf, wayOf, WAYS, withAll, withWay } from './export-choice.ts';
 
 function boxOf() {
   const kept: Map<string, string> = new Map();
@@ -30,17 +30,33 @@ test('a kind begins with its last format', () => {
   expect(wayOf(choice.value)).toBe('cbz');
 });
 
+test('documents have all pages, images have the current one, and each kind keeps the choice of the user', () => {
+  const box = boxOf();
+  const { choice, choose } = createExportChoice(() => box as any);
+  const all = () => Object.fromEntries(KINDS.map((kind) => [kind, hasAll({ ...choice.value, kind })]));
+  const first = { image: false, pdf: true, print: true, comic: true, video: false, project: false, more: false };
+  expect(all()).toEqual(first);
+  choose(withAll(withWay(choice.value, 'pdf'), false));
+  choose(withAll(withWay(choice.value, 'png'), true));
+  expect(all()).toEqual({ ...first, image: true, pdf: false });
+  expect(createExportChoice(() => box as any).choice.value.every).toEqual({ image: true, pdf: false });
+});
+
 test('the browser remembers the choice, and ignores a damaged one', () => {
   const box = boxOf();
   const { choice, choose } = createExportChoice(() => box as any);
-  choose({ ...withWay(choice.value, 'jpeg'), every: true });
+  choose(withAll(withWay(choice.value, 'jpeg'), true));
   expect(createExportChoice(() => box as any).choice.value).toEqual({
     kind: 'image',
     ways: { image: 'jpeg' },
-    every: true,
+    every: { image: true },
     inside: 'png',
   });
-  for (const damaged of ['{', '{"kind":"exe","ways":{"image":"exe","video":"png"},"inside":"gif"}', '[]']) {
+  for (const damaged of [
+    '{',
+    '{"kind":"exe","ways":{"image":"exe","video":"png"},"every":{"exe":true},"inside":"gif"}',
+    '[]',
+  ]) {
     box.setItem('inkpanel.export', damaged);
     expect(wayOf(createExportChoice(() => box as any).choice.value)).toBe('png');
   }

@@ -10,8 +10,13 @@ import type { Signal } from '@preact/signals';
 
 /** The first choice. `print` is a PDF file with bleed and marks, `more` has formats of editing programs. */
 export type Kind = 'image' | 'pdf' | 'print' | 'comic' | 'video' | 'project' | 'more';
-/** `ways`: the last format of each kind; `every`: all pages; `inside`: the pictures of a CBZ file. */
-export type Choice = { kind: Kind; ways: Partial<Record<Kind, Way>>; every: boolean; inside: 'png' | 'jpeg' };
+/** `ways` and `every`: the last format of each kind, and whether it has all pages; `inside`: the pictures of a CBZ file. */
+export type Choice = {
+  kind: Kind;
+  ways: Partial<Record<Kind, Way>>;
+  every: Partial<Record<Kind, boolean>>;
+  inside: 'png' | 'jpeg';
+};
 export type ExportChoice = ReturnType<typeof createExportChoice>;
 
 export const WAYS: Record<Kind, readonly Way[]> = {
@@ -26,11 +31,23 @@ export const WAYS: Record<Kind, readonly Way[]> = {
 export const KINDS = Object.keys(WAYS) as readonly Kind[];
 
 const KEY = 'inkpanel.export';
-const FIRST: Choice = { kind: 'image', ways: {}, every: false, inside: 'png' };
+const FIRST: Choice = { kind: 'image', ways: {}, every: {}, inside: 'png' };
+/** Documents of several pages. The other kinds begin with the current page. */
+const DOCUMENTS: readonly Kind[] = ['pdf', 'print', 'comic'];
 
 /** Returns the chosen format: the last one of the chosen kind, or its first one. */
 export function wayOf({ kind, ways }: Choice): Way {
   return ways[kind] ?? WAYS[kind][0];
+}
+
+/** Returns whether all pages are exported: the last choice of the user for this kind, or its default. */
+export function hasAll({ kind, every }: Choice): boolean {
+  return every[kind] ?? DOCUMENTS.includes(kind);
+}
+
+/** Returns the choice with all pages or only the current page. */
+export function withAll(choice: Choice, all: boolean): Choice {
+  return { ...choice, every: { ...choice.every, [choice.kind]: all } };
 }
 
 /** Returns the choice with another format. */
@@ -43,11 +60,11 @@ export function withWay(choice: Choice, way: Way): Choice {
  * Returns the format of the file, and of the pictures in an archive. Images of several pages are a ZIP file.
  * Videos and projects have dialogs and files that do not depend on it.
  */
-export function madeOf(way: Way, every: boolean, inside: Inside): { format: Format; inside: Inside } {
+export function madeOf(way: Way, all: boolean, inside: Inside): { format: Format; inside: Inside } {
   if (way === 'animatic' || way === 'motion' || way === 'project') return { format: 'png', inside };
   if (way === 'print') return { format: 'pdf', inside };
   if (way === 'strip') return { format: 'zip', inside: 'jpeg' };
-  if (every && (way === 'png' || way === 'jpeg' || way === 'webp')) return { format: 'zip', inside: way };
+  if (all && (way === 'png' || way === 'jpeg' || way === 'webp')) return { format: 'zip', inside: way };
   return { format: way, inside };
 }
 
@@ -77,7 +94,9 @@ function read(box: () => Pick<Storage, 'getItem'>): Choice {
       ways: Object.fromEntries(
         Object.entries(ways ?? {}).filter(([key, way]) => WAYS[key as Kind]?.includes(way as Way)),
       ),
-      every: every === true,
+      every: Object.fromEntries(
+        Object.entries(every ?? {}).filter(([key, all]) => KINDS.includes(key as Kind) && typeof all === 'boolean'),
+      ),
       inside: inside === 'jpeg' ? 'jpeg' : 'png',
     };
   } catch {

@@ -1,7 +1,7 @@
 /** The export dialog: the format first, then its settings next to a preview of the page. */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { madeOf, wayOf, withWay } from './export-choice.ts';
+import { hasAll, madeOf, wayOf, withAll, withWay } from './export-choice.ts';
 import { FORMATS, isArchive, isList, pictureIn } from './formats.ts';
 import { USUAL_QUALITY } from './page-making.ts';
 import { PAGE_SIZES, scaled, sizeId } from '../page/paper.ts';
@@ -45,7 +45,7 @@ export function ExportDialog() {
     exportChoice.asked.value = null;
     exportChoice.choose(next);
   };
-  const all = choice.every && count > 1;
+  const all = hasAll(choice) && count > 1;
   const [size, setSize] = useState(sizeId(page.page));
   const [factor, setFactor] = useState(1);
   const [quality, setQuality] = useState(USUAL_QUALITY);
@@ -87,6 +87,8 @@ export function ExportDialog() {
     }),
     [way, sheets, printed, enlarge, dpi, format, inside, quality, onPaper, living],
   );
+  const isWhole = all || way === 'project' || filmed !== null || isList(format);
+  const named = (isWhole ? download.sheets() : [page]).some(({ words }) => words?.some(({ located }) => located));
   const close = () => {
     // It tells that it was closed a moment later: another may be open by then.
     if (ui.dialog.peek() === 'export') ui.dialog.value = null;
@@ -101,6 +103,12 @@ export function ExportDialog() {
   return (
     <Dialog title={strings.exportPage} class="export-dialog" onClose={close}>
       <KindChoice choice={choice} choose={choose} />
+      {named && (
+        <p class="export-places" role="note">
+          <Icon name="alert" />
+          {strings.exportPlaces}
+        </p>
+      )}
       {filmed ? (
         <LazyAnimatic of={filmed} close={close}>
           <FormatChoice choice={choice} choose={choose} />
@@ -133,21 +141,11 @@ export function ExportDialog() {
                   <fieldset class="export-pages">
                     <legend>{strings.whichPages}</legend>
                     <label class="choice">
-                      <input
-                        type="radio"
-                        name="pages"
-                        checked={!all}
-                        onChange={() => choose({ ...choice, every: false })}
-                      />
+                      <input type="radio" name="pages" checked={!all} onChange={() => choose(withAll(choice, false))} />
                       {strings.thisPage}
                     </label>
                     <label class="choice">
-                      <input
-                        type="radio"
-                        name="pages"
-                        checked={all}
-                        onChange={() => choose({ ...choice, every: true })}
-                      />
+                      <input type="radio" name="pages" checked={all} onChange={() => choose(withAll(choice, true))} />
                       {strings.allPages({ count })}
                     </label>
                   </fieldset>

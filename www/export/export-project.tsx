@@ -20,7 +20,7 @@ export function ExportProject({ archive }: { archive: boolean }) {
   );
   return (
     <fieldset class="cargo">
-      <legend>{archive ? strings.cargoFile : strings.cargo}</legend>
+      <legend>{strings.cargo}</legend>
       {KINDS.map((kind) => (
         <label class="cargo-kind" key={kind}>
           <input

@@ -31,7 +31,12 @@ export const letteringFeature: Feature<Parts> = {
     const lettering = createLettering({ ...app, load: app.engine.lettering });
     return {
       lettering,
-      narrating: createNarrating({ ...app, album: app.reading, settled: lettering.settled }),
+      narrating: createNarrating({
+        ...app,
+        album: app.reading,
+        placed: app.placeNames.marked,
+        settled: lettering.settled,
+      }),
       subtitling: createSubtitling({ ...app, lettering }),
       filmSounds: createFilmSounds({ ...app, lettering }),
     };

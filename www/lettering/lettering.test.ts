@@ -11,6 +11,9 @@ let pages: ReturnType<typeof fakeApp>['pages'];
 /** The known photos at each placement of text. */
 let asked: Record<string, KnownPhoto>[] = [];
 
+/** The place of each text item in the reading order, as the core finds it. */
+let turns: number[] = [];
+
 /** A simple model of the core: automatic items go to a quarter of their panel, and all are a tenth of the page wide. */
 const letters = {
   settle: ({ words }: any, photos: Record<string, KnownPhoto>) => {
@@ -18,7 +21,7 @@ const letters = {
     return words.map((word: Word) => (word.auto ? { ...word, x: 0.25, y: 0.25, tail: null } : word));
   },
   measure: ({ words }: any) =>
-    words.map(({ x = 0.5, y = 0.5, tail }: Word) => ({
+    words.map(({ x = 0.5, y = 0.5, tail }: Word, i: number) => ({
       x: x - 0.05,
       y: y - 0.05,
       width: 0.1,
@@ -26,11 +29,13 @@ const letters = {
       tip: tail ? [tail.x, tail.y] : null,
       size: 0.02,
       cut: false,
+      turn: turns[i] ?? i,
     })),
 };
 
 beforeEach(async () => {
   asked = [];
+  turns = [];
   const app = fakeApp({}, { settled: (page) => lettering.settled(page) });
   ({ store, pages } = app);
   const selection = createSelection({ store });
@@ -64,6 +69,36 @@ describe('words', () => {
     pages.undo();
     pages.undo();
     expect(lettering.words.value).toEqual([]);
+  });
+
+  test('the list has the order of the eye, and a text moves in it to the panel of its neighbours', async () => {
+    turns = [2, 0, 1];
+    await lettering.addAll([
+      { kind: 'balloon', text: 'last', panel: 1, auto: false, x: 0.9, y: 0.9 },
+      { kind: 'balloon', text: 'first', panel: 0, auto: true },
+      { kind: 'balloon', text: 'second', panel: 0, auto: false, x: 0.8, y: 0.8 },
+    ]);
+    const read = () => lettering.reading.value.map((i) => lettering.words.value[i]);
+    expect(read().map(({ text }) => text)).toEqual(['first', 'second', 'last']);
+    const before = past();
+    turns = [];
+    lettering.reorder(2, 0);
+    expect(past() - before).toBe(1);
+    expect(read().map(({ text, panel }) => [text, panel])).toEqual([
+      ['last', 0],
+      ['first', 0],
+      ['second', 0],
+    ]);
+    // It is placed again, and text that the user placed stays.
+    expect(read().map(({ auto, x }) => [auto, x])).toEqual([
+      [true, 0.25],
+      [true, 0.25],
+      [false, 0.8],
+    ]);
+    expect([lettering.chosen.value, lettering.words.value[0].photo]).toEqual([0, store.page.value?.panels[0].photo]);
+    lettering.reorder(0, 5);
+    lettering.reorder(1, 1);
+    expect(past() - before).toBe(1);
   });
 
   test('texts are replaced on pages and among unplaced ones as one step, and others stay', async () => {

@@ -49,6 +49,11 @@ export function createLettering({
     const page = store.page.value;
     return page && letters.value && words.value.length > 0 ? letters.value.measure(page) : [];
   });
+  /** The indices of the text items in reading order. */
+  const reading = computed(() => {
+    const turn = (index: number) => boxes.value[index]?.turn ?? index;
+    return [...words.value.keys()].sort((a, b) => turn(a) - turn(b));
+  });
   const marked = signal(-1);
   /** The selected text item. */
   const chosen = computed(() => (marked.value < words.value.length ? marked.value : -1));
@@ -62,6 +67,7 @@ export function createLettering({
   return {
     words,
     boxes,
+    reading,
     chosen,
     editing,
     mode,
@@ -85,6 +91,7 @@ export function createLettering({
     resize,
     turn,
     join,
+    reorder,
     measured,
     foreign: (text: string) => letters.value?.foreign(text) ?? false,
     missing: (text: string, font: string) => letters.value?.missing(text, font) ?? '',
@@ -247,12 +254,45 @@ export function createLettering({
     setPage({ ...page, words: changed }, free);
   }
 
+  /**
+   * Moves a text item in the reading order. It is placed again, on the panel of the items around its new place.
+   * @param to its place after removal
+   */
+  function reorder(from: number, to: number) {
+    const page = store.page.peek();
+    const order = [...reading.peek()];
+    if (!page || from === to || order[from] === undefined || order[to] === undefined) return;
+    const [index] = order.splice(from, 1);
+    order.splice(to, 0, index);
+    const all = unlinked(index);
+    const panelOf = (at: number) => all[order[at]]?.panel ?? null;
+    const [own, before, after] = [panelOf(to), to - 1, to + 1];
+    const stays = [before, after].some((at) => order[at] !== undefined && panelOf(at) === own);
+    const panel = stays ? own : panelOf(to < from ? after : before);
+    const moved = { ...all[index], ...BY_HAND, auto: true, panel, photo: photoOn(page, panel ?? -1) };
+    const words = order.map((other) => (other === index ? moved : all[other]));
+    const free = words.flatMap(({ auto, panel: its = null }, i) =>
+      auto !== false && (its === own || its === panel) ? [i] : [],
+    );
+    setPage({ ...page, words }, free);
+    choose(to);
+  }
+
+  /** The text items of the page without the links of one of them. */
+  function unlinked(index: number): Word[] {
+    const all = words.peek();
+    const linked = all.flatMap((_, i) =>
+      hangsOn(all, i) === index || (i === index && hangsOn(all, i) >= 0) ? [i] : [],
+    );
+    return all.map((word, i) => (linked.includes(i) ? { ...word, joined: null, linked: null } : word));
+  }
+
   /** @param text an empty text deletes the item */
   function write(index: number, text: string) {
     const clean = bounded(text.trim()).trim();
     editing.value = -1;
     if (clean === '') remove(index);
-    else if (clean !== words.peek()[index]?.text) edit(index, { text: clean });
+    else if (clean !== words.peek()[index]?.text) edit(index, { text: clean, located: undefined });
   }
 
   /** @param to its middle, in page widths */
@@ -300,10 +340,7 @@ export function createLettering({
     const all = words.peek();
     // Balloons that were linked to it have separate tails again.
     const orphans = all.flatMap((_, i) => (hangsOn(all, i) === index ? [i - Number(i > index)] : []));
-    const left = all
-      .filter((_, i) => i !== index)
-      .map((word, i) => (orphans.includes(i) ? { ...word, joined: null, linked: null } : word));
-    setPage({ ...page, words: left }, orphans);
+    setPage({ ...page, words: unlinked(index).filter((_, i) => i !== index) }, orphans);
     messages.note(strings.wordRemoved({ name: strings.word({ kind: strings.wordKind[word.kind], text: word.text }) }));
   }
 

@@ -2,6 +2,7 @@
 
 import { narrated as withNarration, plain } from './narration.ts';
 import { setWords } from './word-planning.ts';
+import { sheetsOf } from '../engine/sheets.ts';
 import { strings, language } from '../strings/strings.ts';
 import type { Ui } from '../ui/ui.ts';
 import type { Store } from '../document/store.ts';
@@ -10,38 +11,45 @@ import type { Moment } from './narration.ts';
 
 export type Narrating = ReturnType<typeof createNarrating>;
 
-/** @param app `album`: the title of the album, and when and where its photos were taken; `settled` places text */
+/**
+ * @param app `album`: the title of the album, and when and where its photos were taken; `placed` marks text with place names;
+ * `settled` places text
+ */
 export function createNarrating({
   store,
   ui,
   album,
+  placed = (page) => page,
   settled,
 }: {
   store: Store;
-  ui: Pick<Ui, 'narrates' | 'narrate'>;
+  ui: Pick<Ui, 'narrates' | 'narrate' | 'showPlaces'>;
   album: { title: () => string; moments: () => Map<string, Moment> };
+  placed?: (page: PageDocument) => PageDocument;
   settled: (page: PageDocument, only: readonly number[]) => PageDocument;
 }) {
-  return { narrated, turn, avoidFaces, renew };
+  return { narrated, turn, turnPlaces, avoidFaces, renew };
 
   /** @param page a new page at `at` among the pages; only the first has a title */
   function narrated(page: PageDocument, at: number): PageDocument {
     if (!ui.narrates.peek()) return plain(page);
-    return withNarration(page, {
-      title: at === 0 ? album.title() : '',
-      moments: album.moments(),
-      language,
-      day: strings.dayOf,
-      time: strings.timeOf,
-    });
+    return placed(
+      withNarration(page, {
+        title: at === 0 ? album.title() : '',
+        moments: album.moments(),
+        language,
+        day: strings.dayOf,
+        time: strings.timeOf,
+      }),
+    );
   }
 
-  /** Moves the title and captions off faces that were detected after the page was planned. */
+  /** Moves text off faces that were detected after it was placed. Text that the user moved stays. */
   function avoidFaces() {
     const page = store.page.peek();
-    const made = (page?.words ?? []).flatMap((word, i) => (word.made ? [i] : []));
-    if (!page || made.length === 0) return;
-    const moved = settled(page, made);
+    const free = (page?.words ?? []).flatMap(({ auto }, i) => (auto === false ? [] : [i]));
+    if (!page || free.length === 0) return;
+    const moved = settled(page, free);
     if (JSON.stringify(moved.words) !== JSON.stringify(page.words))
       setWords(store, [{ at: store.project.peek().at, page: moved }], { silent: true });
   }
@@ -53,7 +61,7 @@ export function createNarrating({
     if ((plain(page).words ?? []).length > 0) return;
     const next = narrated(page, at);
     const moved = settled(next, [...(next.words ?? []).keys()]);
-    if (JSON.stringify(moved.words?.map(({ text }) => text)) !== JSON.stringify(page.words?.map(({ text }) => text)))
+    if (JSON.stringify(textsOf(moved)) !== JSON.stringify(textsOf(page)))
       setWords(store, [{ at: store.project.peek().at, page: moved }], { silent: true });
   }
 
@@ -63,4 +71,27 @@ export function createNarrating({
     const { page, at } = store.project.peek();
     if (page) setWords(store, [{ at, page: narrated(page, at) }]);
   }
+
+  /** Turns place names on or off, in the captions of all pages at once. A book keeps its text until it is made again. */
+  function turnPlaces(on: boolean) {
+    ui.showPlaces(on);
+    const pages = sheetsOf(store.project.peek()).flatMap(({ page }, at) => {
+      const words = page.words ?? [];
+      if (!words.some(({ made, book }) => made && !book)) return [];
+      // Next to text of the user there are no new captions.
+      const next = (plain(page).words ?? []).length === 0 ? narrated(page, at) : unlocated(page);
+      const isSame = JSON.stringify(textsOf(next)) === JSON.stringify(textsOf(page));
+      return isSame ? [] : [{ at, page: settled(next, [...(next.words ?? []).keys()]) }];
+    });
+    if (pages.length > 0) setWords(store, pages);
+  }
+}
+
+/** Returns the page without captions that name places, except the text of a book. */
+function unlocated(page: PageDocument): PageDocument {
+  return { ...page, words: page.words?.filter(({ located, book }) => !located || book) };
+}
+
+function textsOf({ words = [] }: PageDocument): string[] {
+  return words.map(({ text }) => text);
 }

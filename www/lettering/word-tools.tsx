@@ -11,6 +11,7 @@ import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
+import { useListDrag } from '../ui/list-drag.ts';
 import { FilmSoundTools } from './film-sound-tools.tsx';
 import { WordFields } from './word-fields.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
@@ -21,7 +22,6 @@ const LISTED = 100;
 export function WordTools() {
   const { lettering, actions } = useApp();
   const words = lettering.words.value;
-  const chosen = lettering.chosen.value;
 
   return (
     <section class="word-tools" aria-label={strings.words}>
@@ -31,28 +31,85 @@ export function WordTools() {
         ))}
       </div>
       {words.length === 0 && <p class="quiet">{strings.noWords}</p>}
-      {words.length > 0 && (
-        <ul class="word-list" aria-label={strings.wordList}>
-          {words.map(({ kind, text }, i) => (
-            <li key={i}>
-              <button
-                type="button"
-                class="word-entry"
-                aria-expanded={i === chosen}
-                onClick={() => lettering.choose(i === chosen ? -1 : i)}
-              >
-                <Icon name={kind} />
-                <span>{text}</span>
-              </button>
-              {i === chosen && <WordFields index={i} />}
-            </li>
-          ))}
-        </ul>
-      )}
+      {words.length > 0 && <List />}
       <Waiting />
       <Speech />
       <FilmSoundTools />
     </section>
+  );
+}
+
+/** The text items in reading order. They are moved by dragging, by Alt with the arrow keys, and by buttons. */
+function List() {
+  const { lettering } = useApp();
+  const list = useRef(null as HTMLOListElement | null);
+  const drag = useListDrag({ list: '.word-list', item: '.word-item' }, lettering.reorder);
+  const words = lettering.words.value;
+  const chosen = lettering.chosen.value;
+  const order = lettering.reading.value;
+  const gap = drag.carried?.gap ?? -1;
+
+  function carry(from: number, by: number) {
+    lettering.reorder(from, from + by);
+    const entry = () => list.current?.querySelector<HTMLElement>('.word-entry[aria-expanded="true"]');
+    // The browser removes the focus from a moved element.
+    requestAnimationFrame(() => entry()?.focus());
+  }
+
+  function onKeyDown(event: KeyboardEvent, at: number) {
+    const by = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+    if (!event.altKey || by === undefined) return;
+    event.preventDefault();
+    carry(at, by);
+  }
+
+  return (
+    <ol class="word-list" aria-label={strings.wordList} ref={list}>
+      {order.map((index, at) => (
+        <li
+          key={index}
+          class="word-item"
+          data-marked={gap === at ? 'before' : gap === order.length && at === order.length - 1 ? 'behind' : undefined}
+          data-carried={drag.carried?.from === at || undefined}
+        >
+          <div class="word-row">
+            <button
+              type="button"
+              class="word-entry"
+              aria-expanded={index === chosen}
+              aria-description={order.length > 1 ? strings.wordOrderHelp : undefined}
+              title={order.length > 1 ? strings.wordOrderHelp : undefined}
+              onPointerDown={(event) => drag.take(event, at)}
+              onKeyDown={(event) => onKeyDown(event, at)}
+              onClick={() => {
+                if (!drag.dragged.current) lettering.choose(index === chosen ? -1 : index);
+              }}
+            >
+              <b aria-hidden="true">{at + 1}</b>
+              <Icon name={words[index].kind} />
+              <span>{words[index].text}</span>
+            </button>
+            {index === chosen && order.length > 1 && (
+              <>
+                <IconButton
+                  icon="unfold"
+                  label={strings.wordEarlier}
+                  disabled={at === 0}
+                  onClick={() => carry(at, -1)}
+                />
+                <IconButton
+                  icon="fold"
+                  label={strings.wordLater}
+                  disabled={at === order.length - 1}
+                  onClick={() => carry(at, 1)}
+                />
+              </>
+            )}
+          </div>
+          {index === chosen && <WordFields index={index} />}
+        </li>
+      ))}
+    </ol>
   );
 }
 

@@ -41,6 +41,7 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
   const kind = kinds === null || kinds.includes(wish.kind) ? wish.kind : kinds[0];
   const asked = useMemo(() => ({ ...wish, kind }), [wish, kind]);
   const seconds = planned ? planned.plan.frames / planned.plan.rate : 0;
+  const similar = pages ? 0 : boards.similar.value.size;
   const long = kind === 'gif' && seconds > GIF.mostSeconds;
   const off = !planned || planned.plan.frames === 0 || long || download.progress.value !== null;
   const save = () => {
@@ -108,6 +109,13 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
           {!pages && (
             <Check on={wish.captions} set={(captions) => change({ captions })} label={strings.animatic.captions} />
           )}
+          {similar > 0 && (
+            <Check
+              on={wish.skips}
+              set={(skips) => change({ skips })}
+              label={strings.animatic.skips({ count: similar })}
+            />
+          )}
           <LivingChoice of={of} on={wish.living} set={(living) => change({ living })} />
         </div>
         <FilePick
@@ -125,7 +133,7 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
             <>
               <span>
                 {says.facts({
-                  count: pages ? planned.plan.clips.length : boards.rows.value.length,
+                  count: planned.plan.clips.length,
                   length: clock(seconds),
                   fps: strings.decimal(Math.round(planned.plan.rate * 1000) / 1000),
                 })}
@@ -175,7 +183,7 @@ function usePlan(wish: AnimaticWish): { planned: Planned | null; failed: string 
   const board = boards.board.value;
   const style = store.page.value?.style;
   const sheets = wish.of === 'pages' ? store.sheets.value : null;
-  const { of, size, seconds, dissolve, moves, captions, living } = wish;
+  const { of, size, seconds, dissolve, moves, captions, skips, living } = wish;
   const gif = wish.kind === 'gif';
   useEffect(() => {
     const stop = new AbortController();
@@ -189,7 +197,7 @@ function usePlan(wish: AnimaticWish): { planned: Planned | null; failed: string 
       cancel();
       stop.abort();
     };
-  }, [rows, board, style, sheets, of, size, seconds, dissolve, moves, captions, living, gif]);
+  }, [rows, board, style, sheets, of, size, seconds, dissolve, moves, captions, skips, living, gif]);
   return state;
 }
 

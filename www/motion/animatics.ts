@@ -32,8 +32,8 @@ import type { Kind } from './kinds.ts';
 
 export type SizeId = (typeof ANIMATIC_SIZES)[number]['id'];
 /**
- * `seconds`: default duration of a shot, or of a panel without text; `dissolve`: in seconds, 0 for hard cuts; `living`:
- * whether panels from videos are animated.
+ * `seconds`: default duration of a shot, or of a panel without text; `dissolve`: in seconds, 0 for hard cuts. `skips`
+ * leaves out shots that look like the shot before, and `living` animates panels from videos.
  */
 export type AnimaticWish = {
   of: 'shots' | 'pages';
@@ -43,6 +43,7 @@ export type AnimaticWish = {
   dissolve: number;
   moves: boolean;
   captions: boolean;
+  skips: boolean;
   living: boolean;
   sound: File | null;
 };
@@ -59,6 +60,7 @@ export const USUAL: AnimaticWish = {
   dissolve: 0,
   moves: true,
   captions: true,
+  skips: true,
   living: true,
   sound: null,
 };
@@ -88,7 +90,11 @@ export function createAnimatics({
     | 'givesWebp'
     | 'losslessPicture'
   >;
-  boards: { rows: ReadonlySignal<readonly { id: string }[]>; shotList: () => ShotList };
+  boards: {
+    rows: ReadonlySignal<readonly { id: string }[]>;
+    similar: ReadonlySignal<ReadonlySet<string>>;
+    shotList: () => ShotList;
+  };
 }) {
   const loops = createLoops({ store, engine });
 
@@ -146,11 +152,15 @@ export function createAnimatics({
   function shotsOf(wish: AnimaticWish): AnimaticRequest {
     const { width, height } = sizeOf(wish);
     const album = store.album.peek();
-    const ids = boards.rows.peek().map(({ id }) => id);
+    const rows = boards.rows.peek();
+    const skipped = wish.skips ? boards.similar.peek() : new Set();
+    const list = boards.shotList();
+    const shots = list.shots.filter((_, i) => !skipped.has(rows[i].id));
+    const ids = rows.flatMap(({ id }) => (skipped.has(id) ? [] : [id]));
     const framed = store.planner.peek()?.frames(store.photos.peek(), ids, width / height) ?? [];
     const subjectsOf = (id: string): readonly Subject[] => album.get(id)?.meta?.subjects ?? [];
     return {
-      list: boards.shotList(),
+      list: { ...list, shots },
       pictures: framed.map((picture) => ({ ...picture, subjects: subjectsOf(picture.photo) })),
       size: [width, height],
       fps: wish.kind === 'gif' ? GIF.fps : 0,

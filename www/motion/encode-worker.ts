@@ -44,6 +44,8 @@ const KEY_FRAMES = 2;
 const TOLD = 6;
 
 const pictures: Map<number, Drawn> = new Map();
+/** Clips whose images were requested. */
+const wanted: Set<number> = new Set();
 let arrived: () => void = () => {};
 
 globalThis.onmessage = async ({ data }: MessageEvent<ToEncoder>) => {
@@ -69,11 +71,13 @@ async function eachFrame(
   const context = canvas.getContext('2d', { alpha: false, willReadFrequently: reads });
   if (!context) throw failure('animatic-encoder', 'The browser provides no canvas for the video.');
   const count = framesIn(table);
+  const last = count > 0 ? clipsOf(frameAt(table, count - 1)).at(-1) : undefined;
   for (let frame = 0; frame < count; frame += 1) {
     // The picture on the canvas is reused while nothing moves.
     if (frame === 0 || !same(table, frame - 1, frame)) {
       const shown = frameAt(table, frame);
-      await have(clipsOf(shown));
+      const clips = clipsOf(shown);
+      await have(clips, clips.at(-1) === last ? [] : [(clips.at(-1) ?? 0) + 1]);
       drawFrame(context, shown, { drawn: (clip) => pictures.get(clip), captionWidth: width });
     }
     await use(context, frame);
@@ -81,21 +85,25 @@ async function eachFrame(
   }
 }
 
-/** Waits for the images of these clips, and frees the others. */
-async function have(clips: number[]) {
+/** Waits for the images of these clips, requests the images of the next clips, and frees all others. */
+async function have(clips: number[], next: number[]) {
+  const needed = [...clips, ...next];
   for (const [clip, drawn] of pictures) {
-    if (clips.includes(clip)) continue;
+    if (needed.includes(clip)) continue;
     closeDrawn(drawn);
     pictures.delete(clip);
+    wanted.delete(clip);
   }
-  for (const clip of clips) {
-    if (pictures.has(clip)) continue;
-    const here = new Promise<void>((resolve) => {
+  // The next images are drawn while these frames are encoded.
+  for (const clip of needed) {
+    if (wanted.has(clip)) continue;
+    wanted.add(clip);
+    postMessage({ wants: clip } satisfies FromEncoder);
+  }
+  while (!clips.every((clip) => pictures.has(clip)))
+    await new Promise<void>((resolve) => {
       arrived = resolve;
     });
-    postMessage({ wants: clip } satisfies FromEncoder);
-    await here;
-  }
 }
 
 async function film(begin: Begin): Promise<ArrayBuffer> {

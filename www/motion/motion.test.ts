@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { ANIMATIC } from '../engine/bounds.ts';
 import { clock } from './clock.ts';
-import { clipsOf, frameAt, framesIn, same } from './frames.ts';
+import { clipsOf, drawFrame, frameAt, framesIn, same } from './frames.ts';
 import { bytesOf, gifSize } from './kinds.ts';
 import { fitted } from './sound.ts';
 
@@ -71,4 +71,20 @@ describe('a sound', () => {
     expect(cut[225]).toBeGreaterThan(0.4);
     expect(cut[225]).toBeLessThan(0.6);
   });
+});
+
+it('a picture near its size is drawn with the fast resampling, a reduced one with the good one', () => {
+  const quality = (width: number, share: number) => {
+    const used: string[] = [];
+    const context: any = {
+      canvas: { width: 100, height: 50 },
+      drawImage: () => used.push(context.imageSmoothingQuality),
+    };
+    const shown = { clip: 0, view: { x: 0, y: 0, width: share, height: share } };
+    const drawn: any = { picture: { width, height: width / 2 }, caption: null };
+    const frame = { under: shown, over: null, words: 0, panel: -1, veil: 0, beat: 0 };
+    drawFrame(context, frame, { drawn: () => drawn, captionWidth: 100 });
+    return used[0];
+  };
+  expect([quality(120, 1), quality(240, 0.5), quality(200, 1)]).toEqual(['low', 'low', 'high']);
 });

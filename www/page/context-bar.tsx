@@ -174,7 +174,11 @@ function toolsFor({
   const isFirst = versions(store.history.value).length < 2;
   // A book is offered as long as many photos are on no page.
   const isAlbum = !pages.several.value && pages.areManyLeft.value && isEnabled(book.make);
-  const offers = [...(isEnabled(page.acceptCrops) ? [page.acceptCrops] : []), ...(isAlbum ? [book.make] : [])];
+  const offers = [
+    ...(isEnabled(page.acceptCrops) ? [page.acceptCrops] : []),
+    ...(pages.onCover.value ? [book.cover] : []),
+    ...(isAlbum ? [book.make] : []),
+  ];
   return {
     kind: 'page',
     title: strings.sideTab.page,
@@ -184,7 +188,8 @@ function toolsFor({
         book.add,
         layouts.edit,
         ...(isAlbum ? [] : [book.make]),
-        book.makeChapters,
+        ...(pages.isMade.value && !pages.onCover.value ? [book.cover] : []),
+        ...(isEnabled(book.makeChapters) ? [book.makeChapters] : []),
         book.spread,
         styles.edit,
         styles.shuffleSettings,

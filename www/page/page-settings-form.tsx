@@ -22,7 +22,7 @@ const COLOURS: ('paper' | 'borderColor')[] = ['paper', 'borderColor'];
 const PURPOSES = ['paper', 'book', 'screen'] as const;
 
 export function PageSettingsForm() {
-  const { store, pages, narrating, ui } = useApp();
+  const { store, pages, book, bookMaking, messages, narrating, ui } = useApp();
   const { settings } = store.project.value;
   const drags = useRef(0);
   /** Whether the user selected a custom size. It may equal a known size for a while. */
@@ -41,6 +41,11 @@ export function PageSettingsForm() {
     held.current = '';
     drags.current += 1;
   };
+  function turnPlaces(on: boolean) {
+    narrating.turnPlaces(on);
+    if (book.isMade.peek())
+      messages.note(strings.placesInBook, { label: strings.book.again, run: () => void bookMaking.again() });
+  }
   // Ends the drag if the form unmounts.
   useEffect(() => rest, []);
 
@@ -136,6 +141,14 @@ export function PageSettingsForm() {
           onChange={(event) => narrating.turn(event.currentTarget.checked)}
         />
         {strings.narration}
+      </label>
+      <label class="choice" title={strings.placeNamesHelp}>
+        <input
+          type="checkbox"
+          checked={ui.places.value}
+          onChange={(event) => turnPlaces(event.currentTarget.checked)}
+        />
+        {strings.placeNames}
       </label>
       <PageDescription />
       <label class="choice" title={strings.print.safeHelp}>

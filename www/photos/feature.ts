@@ -33,7 +33,7 @@ const actions = (app: App) => ({ photos: createPhotoActions(app) });
 export const photosFeature: Feature<Parts> = {
   install(app) {
     const { store, ui, env } = app;
-    const placeNames = createPlaceNames({ locationOf, load: loadPlaces });
+    const placeNames = createPlaceNames({ locationOf, load: loadPlaces, wanted: ui.places });
     const wanted = ui.detects;
     const reading = createReading({ ...app, prefix: freshPhotoPrefix(), detects: wanted, places: placeNames });
     const painted = () => ui.painted.value === store.page.value;

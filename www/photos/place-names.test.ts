@@ -1,11 +1,14 @@
+import { signal } from '@preact/signals';
 import { expect, it } from 'vitest';
 import { createPlaceNames } from './place-names.ts';
 
 const file = (name: string) => new File([name], name);
 
-function names({ table = true } = {}) {
+function names({ table = true, wanted = true } = {}) {
   let loads = 0;
+  const on = signal(wanted);
   const places = createPlaceNames({
+    wanted: on,
     locationOf: async (photo) => {
       const text = await photo.text();
       if (text === 'broken') throw new Error('cannot be read');
@@ -16,7 +19,7 @@ function names({ table = true } = {}) {
       return table ? (bytes) => new TextDecoder().decode(bytes).match(/^at (\w+)/)?.[1] : null;
     },
   });
-  return { places, loads: () => loads };
+  return { places, on, loads: () => loads };
 }
 
 it('photos with a location get a place, and the table is loaded once', async () => {
@@ -46,4 +49,17 @@ it('without a table no photo has a place', async () => {
   places.begin([{ file: file('at Sintra'), ids: ['a'], video: null }]);
   await places.settled();
   expect(places.names.peek().size).toBe(0);
+});
+
+it('text gets names only if the user turned them on, and is marked', async () => {
+  const { places, on } = names({ wanted: false });
+  expect(places.offered.peek()).toBe(false);
+  places.begin([{ file: file('at Sintra'), ids: ['a'], video: null }]);
+  await places.settled();
+  const word = { kind: 'caption', text: 'Second day. Sintra.', made: true };
+  const page: any = { words: [word, { ...word, text: 'Second day.' }, { ...word, made: undefined }] };
+  expect([places.names.peek().size, places.offered.peek(), places.marked(page)]).toEqual([0, true, page]);
+  on.value = true;
+  expect([places.names.peek().get('a'), places.offered.peek()]).toEqual(['Sintra', false]);
+  expect(places.marked(page).words?.map(({ located }) => located)).toEqual([true, undefined, undefined]);
 });

@@ -64,6 +64,8 @@ export function numbersIn(locale: string) {
     dates,
     /** @returns a day such as `Saturday, June 14` */
     dayOf: (at: number) => written(at, { weekday: 'long', day: 'numeric', month: 'long' }),
+    /** @returns a day such as `June 14` */
+    shortDayOf: (at: number) => written(at, { day: 'numeric', month: 'long' }),
     /** @returns a time of day such as `6:30 PM` */
     timeOf: (at: number) => written(at, { hour: 'numeric', minute: '2-digit' }),
     clock,

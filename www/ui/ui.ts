@@ -21,6 +21,7 @@ const LETTERS_KEY = 'inkpanel.letters';
 const DETECT_KEY = 'inkpanel.detect';
 const IDEAS_KEY = 'inkpanel.ideas';
 const NARRATION_KEY = 'inkpanel.narration';
+const PLACES_KEY = 'inkpanel.places';
 
 /** `brush`: the photo whose subject is corrected. */
 export type OpenDialog = 'help' | 'export' | { brush: string };
@@ -45,6 +46,8 @@ export function createUi(window: Window) {
 
   /** Whether new pages get a title and captions. */
   const narration = rememberedSwitch(box, NARRATION_KEY, true);
+  /** Whether captions name places by the location in photos. */
+  const places = rememberedSwitch(box, PLACES_KEY, false);
 
   return {
     ...createTheme(window),
@@ -59,6 +62,8 @@ export function createUi(window: Window) {
     },
     narrates: narration.on,
     narrate: narration.turn,
+    places: places.on,
+    showPlaces: places.turn,
     /** Whether the page fills the window. */
     preview: signal(false),
     /** Zoom factor of the page; 1 shows the whole page. */

@@ -309,6 +309,7 @@ fn types() -> String {
         Mode,
         book::Wish,
         book::Styles,
+        book::Dates,
         Taste,
         Avoid,
         Families,

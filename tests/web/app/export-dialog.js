@@ -70,7 +70,7 @@ export async function savedAs(page, format, { quality, half = true, project = fa
   const dialog = await openExport(page);
   await chooseFormat(dialog, format);
   if (half) await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
-  if (project) await dialog.getByRole('radio', { name: 'With project data' }).check();
+  if (project) await dialog.getByRole('radio', { name: 'Editing again on this device' }).check();
   if (quality !== undefined) await dialog.getByRole('slider', { name: 'Image quality' }).fill(String(quality));
   return saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
 }

@@ -132,11 +132,11 @@ impl Planning<'_> {
                 self.shown(self.drawn(page, Keep { layout: false, ..KEEP_ALL }, draw))
             }
             Intent::ChooseLayout { layout, seed } => {
-                let request = self.ordered_request(page.clone(), KEEP_ALL, *seed);
+                let request = self.request_for(Some(page.clone()), KEEP_ALL, *seed);
                 self.shown(Request { layout: Some(layout.clone()), ..request })
             }
             Intent::ChooseStyle { style, seed } => {
-                let request = self.ordered_request(page.clone(), KEEP_ALL, *seed);
+                let request = self.request_for(Some(page.clone()), KEEP_ALL, *seed);
                 self.shown(Request { style: Some(style.clone()), ..request })
             }
             Intent::Restyle { style } => self.amended(Document { style: style.clone(), ..page.clone() }),
@@ -222,19 +222,12 @@ impl Planning<'_> {
     /// Plans a manually changed page: all its parts stay, and empty panels get photos.
     fn replanned(&self, page: Document, photos: Option<Vec<Known>>) -> Result<Option<Document>> {
         let seed = page.seed;
-        self.plan(self.ordered_request(page, KEEP_ALL, seed), photos)
-    }
-
-    /// A request for a page, with the order of the photos if they are frames of videos. The order of photos
-    /// without dates has no meaning.
-    fn ordered_request(&self, page: Document, keep: Keep, seed: u32) -> Request {
-        let are_frames = self.photos.iter().all(|photo| photo.meta.frame);
-        Request { ordered: are_frames.then_some(true), ..self.request_for(Some(page), keep, seed) }
+        self.plan(self.request_for(Some(page), KEEP_ALL, seed), photos)
     }
 
     /// A request for a page with random parts.
     fn drawn(&self, page: &Document, keep: Keep, draw: &Draw) -> Request {
-        Request { styling: draw.styling.clone(), ..self.ordered_request(page.clone(), keep, draw.seed) }
+        Request { styling: draw.styling.clone(), ..self.request_for(Some(page.clone()), keep, draw.seed) }
     }
 
     fn shown(&self, request: Request) -> Result<Option<Outcome>> {
@@ -284,7 +277,7 @@ impl Planning<'_> {
         let mut pages = Vec::new();
         if held && self.project.has_several_pages() {
             let own = self.own_photos(page);
-            let mut request = self.ordered_request(page.clone(), KEEP_ALL, page.seed);
+            let mut request = self.request_for(Some(page.clone()), KEEP_ALL, page.seed);
             request.page = settings.clone();
             let Some(next) = self.plan(request, (!own.is_empty()).then_some(own))? else { return Ok(None) };
             pages.push((self.project.pages.active(), next));

@@ -13,15 +13,18 @@ use std::collections::{HashMap, HashSet};
 /// Weight of the horizontal position against the vertical one in the order of text.
 const SLANT: f64 = 0.3;
 
-/// A photo on the pages.
+/// A photo on the pages. `said`: the text of its panels, in the order of [`KINDS`].
 struct Shown {
     place: usize,
-    said: Vec<String>,
+    said: [Vec<String>; 3],
 }
 
-/// Returns the text of the balloons and captions of a panel, in reading order.
-fn said_in(page: &Document, panel: usize) -> Vec<String> {
-    let is_said = |word: &&TextItem| word.panel == Some(panel) && word.kind != TextKind::Effect;
+/// The kinds of text that are dialogue, captions and sounds.
+const KINDS: [TextKind; 3] = [TextKind::Balloon, TextKind::Caption, TextKind::Effect];
+
+/// Returns the text of a kind in a panel, in reading order.
+fn said_in(page: &Document, panel: usize, kind: TextKind) -> Vec<String> {
+    let is_said = |word: &&TextItem| word.panel == Some(panel) && word.kind == kind;
     let mut own: Vec<&TextItem> = page.words.iter().filter(is_said).collect();
     let place = |word: &TextItem| word.at().1 + SLANT * word.at().0;
     own.sort_by(|a, b| place(a).total_cmp(&place(b)));
@@ -75,8 +78,11 @@ impl ProjectFile {
                     continue;
                 };
                 let place = all.len();
-                let shown = all.entry(photo.to_owned()).or_insert_with(|| Shown { place, said: Vec::new() });
-                shown.said.extend(said_in(page, panel));
+                let shown =
+                    all.entry(photo.to_owned()).or_insert_with(|| Shown { place, said: Default::default() });
+                for (said, kind) in shown.said.iter_mut().zip(KINDS) {
+                    said.extend(said_in(page, panel, kind));
+                }
             }
         }
         all
@@ -92,18 +98,21 @@ impl ProjectFile {
         let items: Vec<&TrayItem> = ids.iter().filter_map(|id| items.get(id).copied()).collect();
         let numbers = numbers(items.iter().map(|item| item.shot.number.as_str()));
         let pages = self.on_pages();
-        let said = |item: &TrayItem| pages.get(item.id.as_str()).map_or(&[][..], |shown| &shown.said);
+        let said = |item: &TrayItem| pages.get(item.id.as_str()).map(|shown| &shown.said);
         let listed = |(item, number): (&&TrayItem, String)| self.listed(item, number, said(item));
         let shots = items.iter().zip(numbers).map(listed).collect();
         let Board { fps, pace, columns, .. } = Board::clone(&present.board);
         ShotList { title: present.name.clone(), fps, pace, columns, headings: Vec::new(), shots }
     }
 
-    /// `said`: the text on the pages, for a shot without dialogue.
-    fn listed(&self, item: &TrayItem, number: String, said: &[String]) -> ListedShot {
+    /// `said`: the text on the pages, for empty fields of a shot.
+    fn listed(&self, item: &TrayItem, number: String, said: Option<&[Vec<String>; 3]>) -> ListedShot {
         let mut shot = item.shot.clone();
-        if shot.dialogue.is_empty() {
-            shot.dialogue = said.join("\n").chars().take(LONGEST_FIELD).collect();
+        let fields = [&mut shot.dialogue, &mut shot.caption, &mut shot.sound];
+        for (field, said) in fields.into_iter().zip(said.into_iter().flatten()) {
+            if field.is_empty() {
+                *field = said.join("\n").chars().take(LONGEST_FIELD).collect();
+            }
         }
         let photo = self.photos.iter().find(|photo| photo.id == item.id);
         let film = photo.and_then(|photo| {
@@ -124,6 +133,8 @@ impl ProjectFile {
             scene: shot.scene,
             action: shot.action,
             dialogue: shot.dialogue,
+            caption: shot.caption,
+            sound: shot.sound,
             notes: shot.notes,
             frames: shot.frames,
             name: photo.map(|photo| photo.name.clone()).unwrap_or_default(),

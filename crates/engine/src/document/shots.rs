@@ -48,6 +48,12 @@ pub struct Shot {
     /// Dialogue.
     #[cfg_attr(test, ts(as = "Option<_>", optional))]
     pub dialogue: String,
+    /// Captions.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub caption: String,
+    /// Sounds.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub sound: String,
     /// Notes.
     #[cfg_attr(test, ts(as = "Option<_>", optional))]
     pub notes: String,
@@ -129,6 +135,8 @@ impl Shot {
             ("number", LONGEST_LABEL, &mut shot.number),
             ("action", LONGEST_FIELD, &mut shot.action),
             ("dialogue", LONGEST_FIELD, &mut shot.dialogue),
+            ("caption", LONGEST_FIELD, &mut shot.caption),
+            ("sound", LONGEST_FIELD, &mut shot.sound),
             ("notes", LONGEST_FIELD, &mut shot.notes),
         ] {
             *field = fields.nullable(name).text(name, most)?.unwrap_or_default();
@@ -147,6 +155,8 @@ impl Shot {
             ("number", &self.number),
             ("action", &self.action),
             ("dialogue", &self.dialogue),
+            ("caption", &self.caption),
+            ("sound", &self.sound),
             ("notes", &self.notes),
         ] {
             if !field.is_empty() {

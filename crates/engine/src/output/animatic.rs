@@ -52,7 +52,7 @@ pub struct Request {
     pub dissolve: f64,
     /// Whether the camera moves.
     pub moves: bool,
-    /// Whether dialogue, or else action, is shown as a caption.
+    /// Whether dialogue, or else captions or action, is shown as a caption.
     pub captions: bool,
     /// Frames per second of animated panels from videos; 0 for stills.
     pub living: u32,
@@ -173,7 +173,8 @@ impl Request {
             let (first, last) =
                 if self.moves { journey(picture, seconds, i) } else { [picture.crop; 2].into() };
             let seen = around(&first, &last);
-            let caption = if shot.dialogue.trim().is_empty() { &shot.action } else { &shot.dialogue };
+            let texts = [&shot.dialogue, &shot.caption, &shot.action];
+            let caption = texts.into_iter().find(|text| !text.trim().is_empty()).unwrap_or(&shot.action);
             clips.push(Clip {
                 photo: picture.photo.clone(),
                 number: shot.number.clone(),

@@ -121,6 +121,12 @@ pub struct Labels {
     pub scene: String,
     /// Label of the dialogue.
     pub dialogue: String,
+    /// Label of captions.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub caption: String,
+    /// Label of sounds.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub sound: String,
     /// Before the notes.
     pub notes: String,
     /// Number of the sheet, and total number of sheets.
@@ -129,9 +135,9 @@ pub struct Labels {
 
 impl Default for Labels {
     fn default() -> Self {
-        let [scene, dialogue, notes, page] =
-            ["Scene", "Dialogue", "Notes", "Page {page} of {count}"].map(str::to_owned);
-        Self { scene, dialogue, notes, page }
+        let [scene, dialogue, caption, sound, notes, page] =
+            ["Scene", "Dialogue", "Caption", "Sound", "Notes", "Page {page} of {count}"].map(str::to_owned);
+        Self { scene, dialogue, caption, sound, notes, page }
     }
 }
 
@@ -262,15 +268,16 @@ impl Request {
             [Some(shot.number.clone()), scene, length].into_iter().flatten().collect::<Vec<_>>().join("   ");
         let labelled = |label: &str, text: &str| format!("{label}: {text}");
         let known = [
-            Some(shot.action.clone()),
-            Some(&shot.dialogue)
-                .filter(|text| !text.is_empty())
-                .map(|text| labelled(&self.labels.dialogue, text)),
-            Some(&shot.notes).filter(|text| !text.is_empty()).map(|text| labelled(&self.labels.notes, text)),
+            (&self.labels.dialogue, &shot.dialogue),
+            (&self.labels.caption, &shot.caption),
+            (&self.labels.sound, &shot.sound),
+            (&self.labels.notes, &shot.notes),
         ];
+        let known =
+            known.into_iter().filter(|(_, text)| !text.is_empty()).map(|(label, text)| labelled(label, text));
         let own = self.list.columns.iter().filter_map(|name| Some(labelled(name, shot.more.get(name)?)));
-        let fields: Vec<String> =
-            known.into_iter().flatten().chain(own).filter(|text| !text.is_empty()).collect();
+        let action = std::iter::once(shot.action.clone());
+        let fields: Vec<String> = action.chain(known).chain(own).filter(|text| !text.is_empty()).collect();
         let heading = Area { height: 1.3 * size, ..*text };
         let rest = Area { y: text.y + 1.5 * size, height: text.height - 1.5 * size, ..*text };
         // Text items are read with their frame.
@@ -423,6 +430,16 @@ mod tests {
             author: "Ann".into(),
             ..Request::default()
         }
+    }
+
+    #[test]
+    fn dialogue_captions_and_sounds_have_labels() {
+        let mut request = request(1, 1.0, 1);
+        let shot = &mut request.list.shots[0];
+        (shot.action, shot.caption, shot.sound) = ("She turns.".into(), "Later".into(), "BANG".into());
+        let sheet = request.sheets().unwrap().remove(0);
+        let text = sheet.words.iter().find(|word| word.text.contains("Later")).unwrap();
+        assert_eq!(text.text, "She turns.\nDialogue: Is anybody there?\nCaption: Later\nSound: BANG");
     }
 
     #[test]

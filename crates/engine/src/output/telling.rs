@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::layout::{Bounds, Point, ResolvedShape, reading_order};
 use crate::page::Document;
 use crate::page::words::Letters;
-use crate::page::words::layout::{Ground, Laid, extent, lay_all};
+use crate::page::words::layout::{Ground, Laid, extent, lay_all, panel_of, reading};
 use crate::page::words::model::Kind;
 use crate::page::words::wording::{read, said_apart};
 use std::f64::consts::{PI, TAU};
@@ -16,9 +16,6 @@ use std::f64::consts::{PI, TAU};
 const ROUND: f64 = 0.25;
 /// Corners that a circle has at least.
 const LEAST_CORNERS: f64 = 32.0;
-/// Text items of a panel are read from top to bottom. The left one of two items comes first if it is lower by
-/// less than this part of their horizontal distance.
-const SLANT: f64 = 0.3;
 
 /// A page.
 #[derive(Debug, Clone, PartialEq)]
@@ -150,9 +147,7 @@ pub(super) fn told(
         });
     }
     let laid = lay_all(document, letters)?;
-    let mut order: Vec<usize> = (0..laid.len()).collect();
-    order.sort_by(|&a, &b| place(&laid[a], ground.rtl).total_cmp(&place(&laid[b], ground.rtl)));
-    for word in order {
+    for word in reading(&laid, &ground) {
         let Some(at) = panel_of(&laid[word], &ground) else { continue };
         panels[at].words.extend(told_word(word, &laid[word], scale));
     }
@@ -162,28 +157,6 @@ pub(super) fn told(
         .filter_map(|panel| panels[panel].take())
         .collect();
     Ok(ToldPage { width, height, panels })
-}
-
-/// Reading position of a text item. `rtl`: the page is read from right to left.
-fn place(laid: &Laid, rtl: bool) -> f64 {
-    let across = if rtl { 1.0 - laid.middle.x } else { laid.middle.x };
-    laid.middle.y + SLANT * across
-}
-
-/// The panel of a text item: its own, or the panel under it, or the closest one.
-fn panel_of(laid: &Laid, ground: &Ground) -> Option<usize> {
-    let last = ground.panels.len().checked_sub(1)?;
-    if let Some(panel) = laid.word.panel {
-        return Some(panel.min(last));
-    }
-    let Point { x, y } = laid.middle;
-    let away = |panel: usize| {
-        let Bounds { x: left, y: top, width, height } = ground.panels[panel].bounds;
-        let (dx, dy) = ((left - x).max(x - left - width).max(0.0), (top - y).max(y - top - height).max(0.0));
-        dx.hypot(dy)
-    };
-    // The last of overlapping panels is the visible one.
-    (0..=last).rev().min_by(|&a, &b| away(a).total_cmp(&away(b)))
 }
 
 fn told_word(place: usize, laid: &Laid, scale: f64) -> Option<ToldWord> {

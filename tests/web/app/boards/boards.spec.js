@@ -17,6 +17,7 @@ import {
   SIX,
   sharedBoardTest as test,
 } from '../support.js';
+import { write } from '../text-items.js';
 
 /** @typedef {import('../support.js').Page} Page */
 
@@ -99,6 +100,36 @@ test('keyboard: photos are added, fields are typed, and the board and the shot l
   await idle(page);
   await page.getByRole('button', { name: 'Storyboard', exact: true }).press('Enter');
   await expect(shots.getByRole('textbox', { name: 'Action, shot 1A' })).toHaveValue('The cat watches.');
+});
+
+test('dialogue, captions and sounds of the pages have a column each, and a label on the sheets', async ({ page }) => {
+  await openBoard(page);
+  for (const [kind, text] of [
+    ['balloon', 'Who is there?'],
+    ['caption', 'Later'],
+    ['sound effect', 'BANG'],
+  ])
+    await write(page, kind, text);
+  await openShots(page);
+  const filled = async (/** @type {string} */ column) => {
+    const cells = page.getByRole('textbox', { name: new RegExp(`^${column}, shot`) });
+    return (
+      await cells.evaluateAll((all) => all.map((cell) => /** @type {HTMLTextAreaElement} */ (cell).value))
+    ).filter((text) => text !== '');
+  };
+  expect([await filled('Dialogue'), await filled('Caption'), await filled('Sound')]).toEqual([
+    ['Who is there?'],
+    ['Later'],
+    ['BANG'],
+  ]);
+  await drawn(page);
+  const board = await saved(page, () => page.getByRole('button', { name: 'Save storyboard' }).click());
+  const text = (await run('pdftotext', ['-raw', board.path, '-'])).stdout.replace(/\s+/g, ' ');
+  for (const said of ['Dialogue: Who is there?', 'Caption: Later', 'Sound: BANG']) expect(text).toContain(said);
+  await page.getByRole('combobox', { name: 'Save as' }).selectOption('csv');
+  const list = await saved(page, () => page.getByRole('button', { name: 'Save storyboard' }).click());
+  const [head] = (await readFile(list.path, 'utf8')).split('\r\n');
+  expect(head.split(',').slice(8)).toEqual(['Dialogue', 'Caption', 'Sound', 'Notes']);
 });
 
 test('keyboard: a video becomes a board and an animatic', async ({ page }) => {

@@ -85,7 +85,7 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   await press(page, 'Add page');
   const dialog = await openExport(page);
   await chooseFormat(dialog, 'pdf');
-  await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
+  await expect(dialog.getByRole('radio', { name: 'All 2 pages' }), 'the first choice').toBeChecked();
   await expect(dialog.getByRole('radio', { name: 'Square' })).toHaveCount(0);
   await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
   const pdf = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
@@ -96,10 +96,15 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   await expect(dialog.getByRole('radio', { name: 'PDF', exact: true }), 'the last format').toBeChecked();
   await dialog.getByRole('radio', { name: 'This page' }).check();
   await chooseFormat(dialog, 'cbz');
+  await expect(dialog.getByRole('radio', { name: 'All 2 pages' }), 'each kind has its choice').toBeChecked();
+  await chooseFormat(dialog, 'pdf');
+  await expect(dialog.getByRole('radio', { name: 'This page' }), 'the last choice').toBeChecked();
+  await chooseFormat(dialog, 'cbz');
+  await dialog.getByRole('radio', { name: 'This page' }).check();
   await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
   await expect(dialog.getByRole('radio', { name: 'CBZ' }), 'the format survives').toBeChecked();
   await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
-  await dialog.getByRole('radio', { name: 'With project data' }).check();
+  await dialog.getByRole('radio', { name: 'Editing again on this device' }).check();
   await dialog.getByRole('combobox', { name: 'Embedded images' }).selectOption('jpeg');
   const cbz = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   expect(cbz.name).toMatch(/\d{4}\.cbz$/);

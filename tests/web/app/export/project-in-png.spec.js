@@ -112,7 +112,7 @@ test('a PNG file with photos opens in another browser, and is exported with the 
   baseURL,
 }) => {
   await ownPage(page);
-  const png = await exported(page, 'With photos');
+  const png = await exported(page, 'Editing again anywhere, with your photos');
   expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'sRGB', 'iTXt', 'IDAT', 'ipPh', 'IEND']);
   expectNoSecrets(png);
   const other = await elsewhere(browser, baseURL);
@@ -120,7 +120,7 @@ test('a PNG file with photos opens in another browser, and is exported with the 
   await expect(other.getByRole('status').getByText('page.png was opened as a separate project')).toBeVisible();
   await idle(other);
   await expect(word(other, 'Balloon: AS IT WAS')).toBeVisible();
-  expectSame(await exported(other, 'With photos'), png);
+  expectSame(await exported(other, 'Editing again anywhere, with your photos'), png);
   // Other files do not contain the photos.
   expect(chunksOf(await download(other))).not.toContain('ipPh');
   await other.context().close();
@@ -132,7 +132,7 @@ test('a PNG file without photos asks for them, and is then exported with the sam
   baseURL,
 }) => {
   await ownPage(page);
-  const png = await exported(page, 'With project data');
+  const png = await exported(page, 'Editing again on this device');
   expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'sRGB', 'iTXt', 'IDAT', 'IEND']);
   expectNoSecrets(png);
   const other = await elsewhere(browser, baseURL);
@@ -165,14 +165,14 @@ test('a PNG file without photos asks for them, and is then exported with the sam
   await expect(other.getByRole('status').getByText('1 photo was restored.')).toBeVisible();
   await expect(other.getByRole('alert')).toHaveText('');
   await idle(other);
-  expectSame(await exported(other, 'With project data'), png);
+  expectSame(await exported(other, 'Editing again on this device'), png);
   await other.context().close();
 });
 
 test('a PNG file opens as a new project, and a button returns to the old project', async ({ page }) => {
   await openBoard(page, SIX.slice(0, 4));
   await makePageSmall(page);
-  const png = await exported(page, 'With project data');
+  const png = await exported(page, 'Editing again on this device');
   await page.getByLabel('Project name').fill('First');
   await page.keyboard.press('Enter');
   await press(page, 'Shuffle');
@@ -195,7 +195,7 @@ test('a PNG file opens as a new project, and a button returns to the old project
 test('a damaged PNG file is reported, and can be used as a photo', async ({ page }) => {
   await openBoard(page, SIX.slice(0, 2));
   await makePageSmall(page);
-  const png = await exported(page, 'With project data');
+  const png = await exported(page, 'Editing again on this device');
   const before = await picture(page);
   const spoilt = Buffer.from(png);
   spoilt[spoilt.indexOf('iTXtinkpanel') + 40] ^= 0x55;
@@ -210,7 +210,7 @@ test('a damaged PNG file is reported, and can be used as a photo', async ({ page
 test('a PNG file contains no project unless the user asks for it', async ({ page }) => {
   await openBoard(page, SIX.slice(0, 2));
   await makePageSmall(page);
-  expect(chunksOf(await exported(page, 'With project data'))).toContain('iTXt');
+  expect(chunksOf(await exported(page, 'Editing again on this device'))).toContain('iTXt');
   // The wish applies to that file only.
   expect(chunksOf(await download(page))).toEqual(PLAIN);
 });
@@ -221,10 +221,10 @@ test('a PNG file without project data contains only the picture', async ({ page 
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   await accessible(page);
   await page.keyboard.press('Escape');
-  const png = await exported(page, 'Without project data');
+  const png = await exported(page, 'Viewing only');
   expect(chunksOf(png)).toEqual(PLAIN);
   expect((await download(page)).equals(png)).toBe(true);
-  const whole = await exported(page, 'With project data');
+  const whole = await exported(page, 'Editing again on this device');
   await page.getByRole('button', { name: 'Projects' }).click();
   await page.getByLabel('Project file').setInputFiles([file('plain.png', png)]);
   await expect(

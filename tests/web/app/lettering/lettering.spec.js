@@ -41,6 +41,38 @@ test('text items are added, edited and drawn, and each step can be undone', asyn
   await expect(word(page, 'Balloon: Hello!')).toBeVisible();
 });
 
+test('the list of text has the reading order, and text is moved in it by drag, by keys and by a button', async ({
+  page,
+}) => {
+  await openBoard(page);
+  for (const text of ['ONE', 'TWO', 'THREE']) await write(page, 'balloon', text);
+  await page.keyboard.press('Escape');
+  const list = page.getByRole('list', { name: 'Text on the page' });
+  const read = () => list.locator('.word-entry span').allInnerTexts();
+  // One balloon per panel.
+  expect(await read()).toEqual(['ONE', 'TWO', 'THREE']);
+  const entry = (/** @type {string} */ name) => list.getByRole('button', { name, exact: true });
+  await entry('THREE').focus();
+  await page.keyboard.press('Alt+ArrowUp');
+  await expect.poll(read).toEqual(['ONE', 'THREE', 'TWO']);
+  await expect(entry('THREE')).toBeFocused();
+  await idle(page);
+  await list.getByRole('button', { name: 'Read earlier' }).click();
+  await expect.poll(read).toEqual(['THREE', 'ONE', 'TWO']);
+  await entry('THREE').click();
+  await accessible(page);
+  const [from, to] = [await box(entry('TWO')), await box(entry('THREE'))];
+  await page.mouse.move(from.x + 40, from.y + from.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 40, from.y, { steps: 3 });
+  await page.mouse.move(to.x + 40, to.y + 3, { steps: 5 });
+  await page.mouse.up();
+  await expect.poll(read).toEqual(['TWO', 'THREE', 'ONE']);
+  await idle(page);
+  for (let i = 0; i < 3; i += 1) await press(page, 'Undo');
+  await expect.poll(read).toEqual(['ONE', 'TWO', 'THREE']);
+});
+
 test('a balloon is dragged, and its tail is dragged to a speaker', async ({ page }) => {
   await openBoard(page);
   await write(page, 'balloon', 'DRAG ME');

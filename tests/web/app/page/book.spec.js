@@ -34,6 +34,24 @@ test('one click makes a book with each photo, and Undo restores the page', async
   expect(await picture(page)).toBe(before);
 });
 
+test('the photo of the cover is chosen from any page of a book', async ({ page }) => {
+  await openBoard(page, SAMPLES);
+  // One command makes a book. The others appear with it.
+  await expect(page.getByRole('button', { name: 'Choose cover photo' })).toHaveCount(0);
+  await press(page, 'Make a book');
+  await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
+  await thumb(page, 3).click();
+  await idle(page);
+  await page.getByRole('region', { name: 'Pages' }).getByRole('button', { name: 'Choose cover photo' }).click();
+  await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
+  await idle(page);
+  const [before] = (await contents(page)).photos;
+  await page.getByRole('region', { name: 'Photos' }).getByRole('button', { name: /^Choose / }).last().click();
+  await idle(page);
+  expect((await contents(page)).photos).not.toEqual([before]);
+  expect((await contents(page)).photos).toHaveLength(1);
+});
+
 test('a shuffle keeps the photos of a page, and the page numbers follow a move', async ({ page }) => {
   await openBoard(page, SAMPLES);
   await press(page, 'Make a book');

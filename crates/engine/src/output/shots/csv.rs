@@ -3,6 +3,10 @@
 
 use super::{Cut, HEADINGS, ShotList};
 
+/// Columns in order, as indices of [`HEADINGS`]: captions and sounds are next to the dialogue.
+const ORDER: [usize; HEADINGS.len()] = [0, 1, 2, 3, 4, 5, 6, 7, 8, CAPTION, SOUND, 9];
+const CAPTION: usize = 10;
+const SOUND: usize = 11;
 /// Characters that begin a formula. Source: OWASP, CSV Injection.
 const FORMULA: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
 
@@ -10,7 +14,14 @@ pub(super) fn write(list: &ShotList) -> String {
     let mut out = String::from("\u{feff}");
     let told = list.headings.len() == HEADINGS.len();
     let heading = |i: usize, name: &str| if told { list.headings[i].clone() } else { name.to_owned() };
-    let names = HEADINGS.iter().enumerate().map(|(i, name)| heading(i, name));
+    let captions = list.shots.iter().any(|shot| !shot.caption.is_empty());
+    let sounds = list.shots.iter().any(|shot| !shot.sound.is_empty());
+    let is_used = |i: &usize| match *i {
+        CAPTION => captions,
+        SOUND => sounds,
+        _ => true,
+    };
+    let names = ORDER.into_iter().filter(is_used).map(|i| heading(i, HEADINGS[i]));
     row(&mut out, names.chain(list.columns.iter().cloned()));
     for cut in &list.cuts() {
         // A table that is imported again must not change the lengths of the board.
@@ -27,9 +38,12 @@ pub(super) fn write(list: &ShotList) -> String {
             shot.action.clone(),
             shot.dialogue.clone(),
             shot.notes.clone(),
+            shot.caption.clone(),
+            shot.sound.clone(),
         ];
+        let known = ORDER.into_iter().filter(is_used).map(|i| known[i].clone());
         let own = list.columns.iter().map(|column| shot.more.get(column).cloned().unwrap_or_default());
-        row(&mut out, known.into_iter().chain(own));
+        row(&mut out, known.chain(own));
     }
     out
 }
@@ -69,5 +83,18 @@ mod tests {
         let first = "1,1,1 ä.jpg,,,00:00:01:12,36,\"She opens \"\"1\"\",\nthe door.\",,,\r\n";
         let second = "1,4A,4A ä.jpg,night.mp4,00:00:12:12,00:00:02:00,48,\"She opens \"\"4A\"\",\nthe door.\",,\"'=HYPERLINK(\"\"x\"\")\",35\r\n";
         assert_eq!(text, [head, first, second].concat());
+    }
+
+    #[test]
+    fn captions_and_sounds_are_next_to_the_dialogue_if_a_shot_has_them() {
+        let mut list = list(24);
+        list.shots.truncate(1);
+        list.shots[0].dialogue = "Hi".into();
+        list.shots[0].sound = "BANG".into();
+        let text = write(&list);
+        assert!(text.lines().next().unwrap().ends_with(",Action,Dialogue,Sound,Notes,Lens"), "{text}");
+        assert!(text.contains(",Hi,BANG,,"), "{text}");
+        list.shots[0].caption = "Later".into();
+        assert!(write(&list).contains(",Hi,Later,BANG,,"));
     }
 }

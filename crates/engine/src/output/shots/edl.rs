@@ -34,6 +34,8 @@ pub(super) fn write(list: &ShotList) -> String {
             ("COMMENT: SHOT", &shot.number),
             ("COMMENT: ACTION", &shot.action),
             ("COMMENT: DIALOGUE", &shot.dialogue),
+            ("COMMENT: CAPTION", &shot.caption),
+            ("COMMENT: SOUND", &shot.sound),
             ("COMMENT: NOTES", &shot.notes),
         ] {
             let text = line(text);

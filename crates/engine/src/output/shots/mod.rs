@@ -55,6 +55,12 @@ pub struct ListedShot {
     pub action: String,
     /// Dialogue.
     pub dialogue: String,
+    /// Captions.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub caption: String,
+    /// Sounds.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub sound: String,
     /// Notes.
     pub notes: String,
     /// Duration in frames. Default: two seconds.
@@ -87,9 +93,21 @@ pub struct Film {
     pub timecode: Option<StartTimecode>,
 }
 
-/// Standard columns of the table, without custom columns.
-pub const HEADINGS: [&str; 10] =
-    ["Scene", "Shot", "Picture", "Film", "Time code", "Duration", "Frames", "Action", "Dialogue", "Notes"];
+/// Standard columns of the table, without custom columns. A table has the last two only if a shot has them.
+pub const HEADINGS: [&str; 12] = [
+    "Scene",
+    "Shot",
+    "Picture",
+    "Film",
+    "Time code",
+    "Duration",
+    "Frames",
+    "Action",
+    "Dialogue",
+    "Notes",
+    "Caption",
+    "Sound",
+];
 
 /// A kind of list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

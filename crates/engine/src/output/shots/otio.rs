@@ -34,13 +34,19 @@ fn clip(cut: &Cut, rate: Rate) -> Value {
         "OTIO_SCHEMA": "ExternalReference.1", "metadata": {}, "name": cut.file(), "available_range": available,
         "available_image_bounds": null, "target_url": cut.url(),
     });
+    let mut about = json!({
+        "scene": shot.scene, "shot": shot.number, "action": shot.action, "dialogue": shot.dialogue,
+        "notes": shot.notes, "picture": shot.name, "columns": shot.more,
+    });
+    for (name, text) in [("caption", &shot.caption), ("sound", &shot.sound)] {
+        if !text.is_empty() {
+            about[name] = json!(text);
+        }
+    }
     json!({
         "OTIO_SCHEMA": "Clip.2", "name": cut.title(), "source_range": range(origin + start, *frames, rate), "effects": [],
         "markers": [], "enabled": true, "media_references": { MEDIA: media }, "active_media_reference_key": MEDIA,
-        "metadata": { "inkpanel": {
-            "scene": shot.scene, "shot": shot.number, "action": shot.action, "dialogue": shot.dialogue,
-            "notes": shot.notes, "picture": shot.name, "columns": shot.more,
-        } },
+        "metadata": { "inkpanel": about },
     })
 }
 

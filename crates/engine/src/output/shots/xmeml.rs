@@ -51,10 +51,17 @@ fn item(out: &mut String, (i, cut): (usize, &Cut), length: u64, pace: &str) {
             shown(cut.counting),
         )
     };
+    let comment = |(name, text): (&str, &String)| {
+        (!text.is_empty()).then(|| format!("<{name}>{}</{name}>", escaped(text)))
+    };
+    let more: String = [("mastercomment2", &shot.caption), ("mastercomment3", &shot.sound)]
+        .into_iter()
+        .filter_map(comment)
+        .collect();
     // Writing into text never fails.
     let _ = write!(
         out,
-        "<clipitem id=\"clipitem-{number}\">\n<name>{}</name>\n<enabled>TRUE</enabled>\n<duration>{length}</duration>\n{pace}\n{still}<start>{at}</start>\n<end>{}</end>\n<in>{start}</in>\n<out>{}</out>\n{file}\n<logginginfo><scene>{}</scene><shottake>{}</shottake><description>{}</description><lognote>{}</lognote></logginginfo>\n<comments><mastercomment1>{}</mastercomment1></comments>\n</clipitem>\n",
+        "<clipitem id=\"clipitem-{number}\">\n<name>{}</name>\n<enabled>TRUE</enabled>\n<duration>{length}</duration>\n{pace}\n{still}<start>{at}</start>\n<end>{}</end>\n<in>{start}</in>\n<out>{}</out>\n{file}\n<logginginfo><scene>{}</scene><shottake>{}</shottake><description>{}</description><lognote>{}</lognote></logginginfo>\n<comments><mastercomment1>{}</mastercomment1>{}</comments>\n</clipitem>\n",
         escaped(&cut.title()),
         at + frames,
         start + frames,
@@ -63,6 +70,7 @@ fn item(out: &mut String, (i, cut): (usize, &Cut), length: u64, pace: &str) {
         escaped(&shot.action),
         escaped(&shot.notes),
         escaped(&shot.dialogue),
+        more,
     );
 }
 

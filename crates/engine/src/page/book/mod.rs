@@ -20,6 +20,7 @@ use crate::plan::composer::gallery;
 use crate::plan::moments::Moment;
 use crate::plan::{Shelf, slots};
 use narration::Told;
+pub use phrases::Dates;
 use phrases::Phrases;
 use serde::Deserialize;
 use std::collections::HashMap;
@@ -62,6 +63,9 @@ pub struct Wish {
     /// The places of photos by id.
     #[cfg_attr(test, ts(as = "Option<_>", optional))]
     pub places: HashMap<String, String>,
+    /// Dates in the format of the user. Default: in the format of the language.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub dates: Dates,
     /// Number of pages with cover and end page, from [`MIN_PAGES`]. Default: as many as the photos need.
     pub pages: Option<usize>,
     /// How styles are chosen.
@@ -113,7 +117,7 @@ impl Book {
         let order = in_time(&request);
         let shelf = shelf.some(&order);
         request.photos = order.iter().map(|&photo| request.photos[photo].clone()).collect();
-        let phrases = Phrases::of(&wish.language)?;
+        let phrases = Phrases::of(&wish.language)?.with(wish.dates.clone());
         let told = Told::new(&request.photos, &wish.places);
         let title = told.title(&wish.title, &phrases);
         let aspect = request.page.aspect();

@@ -4,6 +4,7 @@ use crate::error::Result;
 use crate::page::language::texts_in;
 use crate::plan::moments::date;
 use serde::Deserialize;
+use std::collections::HashMap;
 
 /// The files of `languages/`.
 const LANGUAGES: [(&str, &str); 6] = [
@@ -17,6 +18,19 @@ const LANGUAGES: [(&str, &str); 6] = [
 
 /// Last hour of each time of day, from the morning on. The night is the rest.
 const PARTS: [i64; 4] = [10, 13, 17, 21];
+
+/// Dates in the format of the user. The texts of the language replace missing ones.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[serde(default)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "BookDates", optional_fields))]
+pub struct Dates {
+    /// The days of the book, for its cover.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub span: String,
+    /// Dates without their year, by day such as `2026-06-09`.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub days: HashMap<String, String>,
+}
 
 /// The texts of a language. Words in braces are placeholders.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -48,12 +62,20 @@ pub(super) struct Phrases {
     pub(super) end: String,
     /// Sign between two sentences, and after the last.
     stop: String,
+    /// Dates that the caller formatted.
+    #[serde(skip)]
+    written: Dates,
 }
 
 impl Phrases {
     /// Texts of a language, a BCP 47 tag such as `pt-BR`. English if the language is not available.
     pub(super) fn of(language: &str) -> Result<Self> {
         texts_in(language, &LANGUAGES)
+    }
+
+    /// Returns the texts with dates in the format of the user.
+    pub(super) fn with(self, written: Dates) -> Self {
+        Self { written, ..self }
     }
 
     /// Returns the words for a day of a trip, from 0; `None` beyond the tenth.
@@ -72,11 +94,16 @@ impl Phrases {
 
     /// A date without its year.
     pub(super) fn short(&self, day: i64) -> String {
-        self.filled(&self.short, day)
+        let (year, month, date) = date(day);
+        let written = self.written.days.get(&format!("{year:04}-{month:02}-{date:02}"));
+        written.cloned().unwrap_or_else(|| self.filled(&self.short, day))
     }
 
     /// The days of an album.
     pub(super) fn dates(&self, from: i64, to: i64) -> String {
+        if !self.written.span.is_empty() {
+            return self.written.span.clone();
+        }
         let ((first, month, _), (last, until, _)) = (date(from), date(to));
         if from == to {
             return self.filled(&self.date, from);
@@ -150,6 +177,11 @@ mod tests {
         assert_eq!(told("de", 20_613, 20_643), "9. Juni – 9. Juli 2026");
         assert_eq!(told("fr", 20_613, 20_978), "9 juin 2026 – 9 juin 2027");
         assert_eq!(told("ja", 20_613, 20_615), "2026年6月9日〜11日");
+        let days = HashMap::from([("2026-06-09".into(), "June 9".into())]);
+        let dates = Dates { span: "June 9 – 11, 2026".into(), days };
+        let written = Phrases::of("en").unwrap().with(dates);
+        assert_eq!(written.dates(20_613, 20_615), "June 9 – 11, 2026");
+        assert_eq!([20_613, 20_614].map(|day| written.short(day)), ["June 9", "10 June"]);
         let english = Phrases::of("en").unwrap();
         assert_eq!(
             [4, 10, 11, 14, 21, 22, 2].map(|hour| english.part(hour)),

@@ -8,10 +8,14 @@ use super::setting::{Setting, Wish};
 use super::shapes::reach;
 use super::wording::{marks, readings};
 use crate::error::Result;
-use crate::layout::{Bounds, Point, ResolvedPanel, resolve};
+use crate::layout::{Bounds, Point, ResolvedPanel, reading_order, resolve};
 use crate::page::{CustomFile, Document, StyleRef};
 use serde::Serialize;
 use serde_json::Value;
+
+/// Text items of a panel are read from top to bottom. The left one of two items comes first if it is lower by
+/// less than this part of their horizontal distance.
+const SLANT: f64 = 0.3;
 
 /// A text item with its position.
 pub struct Laid {
@@ -281,6 +285,45 @@ fn join(all: &mut [Laid]) {
     }
 }
 
+/// Returns the indices of the text items in reading order: panel by panel.
+#[must_use]
+pub fn reading(all: &[Laid], ground: &Ground) -> Vec<usize> {
+    let panels = reading_order(&ground.panels, ground.rtl);
+    let turn = |laid: &Laid| {
+        let panel = panel_of(laid, ground);
+        panel.and_then(|panel| panels.iter().position(|&other| other == panel))
+    };
+    let mut order: Vec<usize> = (0..all.len()).collect();
+    order.sort_by(|&a, &b| {
+        let (one, other) = (&all[a], &all[b]);
+        turn(one).cmp(&turn(other)).then(place(one, ground.rtl).total_cmp(&place(other, ground.rtl)))
+    });
+    order
+}
+
+/// Reading position of a text item in its panel. `rtl`: the page is read from right to left.
+fn place(laid: &Laid, rtl: bool) -> f64 {
+    let across = if rtl { 1.0 - laid.middle.x } else { laid.middle.x };
+    laid.middle.y + SLANT * across
+}
+
+/// The panel of a text item: its own, or the panel under it, or the closest one.
+#[must_use]
+pub fn panel_of(laid: &Laid, ground: &Ground) -> Option<usize> {
+    let last = ground.panels.len().checked_sub(1)?;
+    if let Some(panel) = laid.word.panel {
+        return Some(panel.min(last));
+    }
+    let Point { x, y } = laid.middle;
+    let away = |panel: usize| {
+        let Bounds { x: left, y: top, width, height } = ground.panels[panel].bounds;
+        let (dx, dy) = ((left - x).max(x - left - width).max(0.0), (top - y).max(y - top - height).max(0.0));
+        dx.hypot(dy)
+    };
+    // The last of overlapping panels is the visible one.
+    (0..=last).rev().min_by(|&a, &b| away(a).total_cmp(&away(b)))
+}
+
 /// Bounds of a text item without its tail, in page widths.
 #[derive(Debug, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -305,6 +348,8 @@ pub struct WordBox {
     pub fill: String,
     /// Id of its font.
     pub font: String,
+    /// Its place in the reading order of the page, from 0.
+    pub turn: usize,
 }
 
 /// Bounds of the text items of a document, in order.
@@ -312,7 +357,12 @@ pub struct WordBox {
 /// # Errors
 /// As [`lay_all`].
 pub fn measured(document: &Document, letters: &Letters) -> Result<Vec<WordBox>> {
-    let boxes = lay_all(document, letters)?.into_iter().map(|laid| {
+    let all = lay_all(document, letters)?;
+    let mut turns = vec![0; all.len()];
+    for (turn, index) in reading(&all, &Ground::new(document)?).into_iter().enumerate() {
+        turns[index] = turn;
+    }
+    let boxes = all.into_iter().zip(turns).map(|(laid, turn)| {
         let (a, b) = extent(&laid.word, &laid.setting);
         WordBox {
             x: laid.middle.x - a,
@@ -325,6 +375,7 @@ pub fn measured(document: &Document, letters: &Letters) -> Result<Vec<WordBox>> 
             color: hexadecimal(laid.color),
             fill: hexadecimal(laid.fill),
             font: laid.word.font().to_owned(),
+            turn,
         }
     });
     Ok(boxes.collect())

@@ -14,7 +14,7 @@
 //! | `lens` | line breaking by lettering rules: a lens shape |
 //! | `shapes` | outlines of balloons and captions in pages of version 1 |
 //! | `balloons` | outlines of balloons by lettering rules |
-//! | [`layout`] | position and size of a text item in a document |
+//! | [`layout`] | position, size and reading order of the text items of a document |
 //! | [`draw`] | rendering of a text item |
 //! | [`palette`] | text colours from the style of the page |
 //! | [`place`] | automatic placement of text items: away from faces and subjects |

@@ -152,6 +152,10 @@ pub struct TextItem {
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
     #[cfg_attr(test, ts(as = "Option<_>", optional))]
     pub number: bool,
+    /// Whether it names a place by the location in a photo.
+    #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub located: bool,
     /// The photo that it belongs to. The item follows this photo. Default: the photo on its panel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
@@ -528,7 +532,7 @@ mod tests {
             "kind": "balloon", "text": "Hi", "shape": "thought", "panel": 2, "x": 0.25, "y": 0.5, "width": 0.5,
             "size": 0.25, "tail": { "x": 0.5, "y": 0.25 }, "font": "bangers", "color": "#101010",
             "fill": "#ffffff", "angle": 5.5, "arc": 0.5, "auto": false, "made": true, "book": true,
-            "number": true, "photo": "p", "cue": "1.0/0", "boxless": true, "plain": true,
+            "number": true, "located": true, "photo": "p", "cue": "1.0/0", "boxless": true, "plain": true,
             "ruled": true, "capitals": false, "slant": 5.5, "outline": 0.25, "behind": true, "id": "a",
             "joined": "b", "linked": "c", "apart": true, "by": "anna", "language": "en", "vertical": true,
             "room": [0.5, 0.25], "fresh": { "a": [1, 2] },

@@ -54,6 +54,8 @@ struct Seen {
     bounds: Bounds,
     face: bool,
     person: bool,
+    /// A person or an animal, but no face.
+    alive: bool,
     score: f64,
     /// The middle of its mouth.
     mouth: Point,
@@ -297,7 +299,8 @@ fn see<'s>(
         let [x, y] = subject.mouth();
         let Bounds { x, y, .. } = place(x, y, 0.0, 0.0);
         let mouth = Point::new(x, y);
-        scenery.seen.push(Seen { bounds, face, person, score: subject.score, mouth, masked });
+        let alive = !face && subject.is_alive();
+        scenery.seen.push(Seen { bounds, face, person, alive, score: subject.score, mouth, masked });
     }
     scenery.figures.extend(figure);
 }
@@ -406,6 +409,12 @@ mod tests {
             for (word, area) in placed_words(&document, &letters) {
                 let part = hidden(area, true, &above(&word, &ground));
                 assert!(part <= 0.0, "{layout}, panel {:?}: {part} of {:?} is hidden", word.panel, word.text);
+                let laid = ground.lay(word.clone(), &letters);
+                let Some(tip) = laid.tip else { continue };
+                let covers = |point: Point| {
+                    above(&word, &ground).iter().any(|panel| reaches(&panel.shape, point, panel.halo))
+                };
+                assert!(!covers(tip), "{layout}, panel {:?}: the tail is on another panel", word.panel);
             }
         }
     }
