@@ -1,9 +1,9 @@
 /**
  * A large preview of a choice on hover, keyboard focus or long press: the page in that style or layout, or a photo. It
- * is only visual, and Escape hides it.
+ * is only visual. Escape and any click hide it.
  */
 
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from './bitmap.tsx';
 import { useApp } from './context.ts';
@@ -27,6 +27,8 @@ type Side = 'page' | 'beside';
 
 /** Milliseconds of rest on a choice before it is drawn, because users who move across a list want to see the list. */
 const REST = 220;
+/** Keys that choose. */
+const CHOOSES = ['Enter', ' '];
 
 type Pointed = { id: string; at: DOMRect };
 
@@ -49,15 +51,40 @@ export function useGlimpse(
     return after(glimpsed ? 0 : rest, () => setGlimpsed(make(pointed.id)));
   }, [pointed?.id]);
 
+  /** Whether the last input chose something. Until the next input, elements that appear under the pointer show nothing. */
+  const chose = useRef(false);
   useEffect(() => {
-    if (!pointed) return undefined;
-    const onKeyDown = (event: KeyboardEvent) => event.key === 'Escape' && setPointed(null);
-    window.addEventListener('keydown', onKeyDown);
-    return () => window.removeEventListener('keydown', onKeyDown);
-  }, [pointed !== null]);
+    const stop = new AbortController();
+    const how = { capture: true, passive: true, signal: stop.signal };
+    const hide = () => setPointed(null);
+    const looks = () => {
+      chose.current = false;
+    };
+    window.addEventListener(
+      'click',
+      () => {
+        chose.current = true;
+        hide();
+      },
+      how,
+    );
+    window.addEventListener(
+      'keydown',
+      ({ key }) => {
+        chose.current = CHOOSES.includes(key);
+        if (chose.current || key === 'Escape') hide();
+      },
+      how,
+    );
+    window.addEventListener('pointerdown', looks, how);
+    window.addEventListener('pointermove', looks, how);
+    return () => stop.abort();
+  }, []);
 
-  const point: Point = (id, element) =>
-    setPointed(id === null || !element ? null : { id, at: element.getBoundingClientRect() });
+  const point: Point = (id, element) => {
+    if (id === null || !element) setPointed(null);
+    else if (!chose.current) setPointed({ id, at: element.getBoundingClientRect() });
+  };
   return {
     point,
     view: pointed && glimpsed && <Glimpse glimpsed={glimpsed} at={pointed.at} side={side} most={size} />,
