@@ -10,9 +10,8 @@ export function createBookActions({
   store,
   book,
   bookMaking,
-  messages,
   ui,
-}: Pick<App, 'store' | 'book' | 'bookMaking' | 'messages' | 'ui'>) {
+}: Pick<App, 'store' | 'book' | 'bookMaking' | 'ui'>) {
   const { at, several } = book;
   const last = computed(() => at.value === store.project.value.others.length);
   const whyNotAdd = computed(book.cannotAdd);
@@ -20,11 +19,7 @@ export function createBookActions({
   /** Asks before new pages replace pages with manual changes. */
   function asked(run: () => void) {
     if (store.sheets.peek().some(isHandMade))
-      messages.alert(
-        strings.book.spreadAsk,
-        { label: strings.book.spreadYes, run },
-        { label: strings.cancel, run() {} },
-      );
+      ui.question.value = { text: strings.book.spreadAsk, yes: strings.book.spreadYes, run };
     else run();
   }
 
