@@ -49,6 +49,18 @@ describe('the first page', () => {
     expect(store.history.value.shown.length).toBe(1);
   });
 
+  test('keeps the layout of its sketch', async () => {
+    const { store, reading, files, planner } = app(() => false);
+    void reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(0);
+    expect(store.sketch.value).toBe(true);
+    const layout = store.page.value?.layout;
+    await vi.advanceTimersByTimeAsync(700);
+    expect(store.sketch.value).toBe(false);
+    expect(planner.wishes.at(-1)).toMatchObject({ type: 'compose', layout });
+    expect(store.page.value?.layout).toEqual(layout);
+  });
+
   test('waits no longer than until faces were looked for in its photos', async () => {
     const { store, reading, files, engine } = app(() => false);
     readInTurn(engine);

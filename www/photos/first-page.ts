@@ -119,13 +119,13 @@ export function createFirstPage({
     if (!store.sketch.peek()) return false;
     const photos = known();
     if (photos.length === 0) return false;
-    // The panels that the user sees already stay where they are, unless others suit the photos clearly better.
-    const before = store.page.peek();
+    // The panels that the user sees already stay where they are.
+    const sketch = store.page.peek();
     const panels = Math.min(photos.length, USUAL_PANELS);
-    const prefer = before?.panels.length === panels ? before.layout : null;
+    const layout = sketch?.panels.length === panels ? sketch.layout : undefined;
     const ids = photos.map(({ id }) => id);
     batch(() => {
-      pages.compose({ photos: ids, panels, prefer }, { silent: true });
+      pages.compose({ photos: ids, panels, layout }, { silent: true });
       store.sketch.value = false;
       composed.value = { version: store.version.peek(), at: performance.now() };
     });
