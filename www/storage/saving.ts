@@ -195,7 +195,9 @@ export function createSaving({
   function touch(now: unknown[]) {
     if (now.every((part, i) => part === ledger.clean[i])) return;
     const { tray, name } = store.project.peek();
-    if (ledger.place.stamp === '' && tray.length === 0 && name === '') return;
+    // A new project begins with a photo that could be read.
+    const isRead = () => store.facts.peek().some(({ meta }) => meta !== null);
+    if (ledger.place.stamp === '' && name === '' && (tray.length === 0 || !isRead())) return;
     if (!ledger.dirty) ledger.since = performance.now();
     ledger.dirty = true;
     if (!trial) tell(ledger);
