@@ -3,9 +3,12 @@ import { edited, fakeApp, orderByName, pageOf } from '../document/testing.ts';
 
 vi.useFakeTimers();
 
-/** @param slow files that are never finished */
-function app(slow: (name: string) => boolean, odd: Parameters<typeof fakeApp>[0] = {}) {
-  const made = fakeApp(odd);
+/**
+ * @param slow files that are never finished
+ * @param detects whether faces are detected
+ */
+function app(slow: (name: string) => boolean, odd: Parameters<typeof fakeApp>[0] = {}, detects = false) {
+  const made = fakeApp(odd, {}, detects);
   const go: (() => void)[] = [];
   // The first files are on the sketch.
   made.planner.planned = (page, { keep }) =>
@@ -74,6 +77,17 @@ describe('the first page', () => {
     store.faced.value = new Set(read);
     await vi.advanceTimersByTimeAsync(5);
     expect(store.sketch.value).toBe(false);
+  });
+
+  test('of a video waits longer for faces', async () => {
+    const { store, reading, files, engine } = app(() => false, {}, true);
+    readInTurn(engine);
+    void reading.addFiles(files(...ten));
+    const know = () => store.facts.value.forEach((fact) => store.know({ ...fact, video: 'film' }));
+    await vi.advanceTimersByTimeAsync(550);
+    know();
+    await vi.advanceTimersByTimeAsync(300);
+    expect(store.sketch.value).toBe(true);
   });
 
   test('waits for more photos instead of pages of text', async () => {
