@@ -6,12 +6,7 @@ import type { PageDocument } from '../engine/types.ts';
 import type { App } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createBookActions({
-  store,
-  book,
-  bookMaking,
-  ui,
-}: Pick<App, 'store' | 'book' | 'bookMaking' | 'ui'>) {
+export function createBookActions({ store, book, bookMaking, ui }: Pick<App, 'store' | 'book' | 'bookMaking' | 'ui'>) {
   const { at, several } = book;
   const last = computed(() => at.value === store.project.value.others.length);
   const whyNotAdd = computed(book.cannotAdd);

@@ -91,10 +91,10 @@ export function createInventions({
       const plain = all.find(({ index }) => index === styles.length);
       const explored = all.filter((one) => one !== plain);
       const meta = store.album.peek().get(photo.id)?.meta;
-      const isWhole = (signature?: Uint8Array) => !meta || !signature || damageOf(meta, signature, plain?.signature) === '';
+      const isWhole = (signature?: Uint8Array) =>
+        !meta || !signature || damageOf(meta, signature, plain?.signature) === '';
       const good = explored.filter(
-        (one) =>
-          one.fault === '' && one.score >= LEAST && isWhole(one.signature) && !isClipped(one, plain?.clipped),
+        (one) => one.fault === '' && one.score >= LEAST && isWhole(one.signature) && !isClipped(one, plain?.clipped),
       );
       styles = good.map(({ index }) => styles[index]);
       if (styles.length === 0) return [];

@@ -118,7 +118,10 @@ function moveBeside(area: HTMLTextAreaElement, page: HTMLElement, { x, y, width,
 }
 
 /** Moves the field into the page. */
-function keepInside({ style, offsetTop, offsetLeft, offsetWidth, offsetHeight }: HTMLTextAreaElement, page: HTMLElement) {
+function keepInside(
+  { style, offsetTop, offsetLeft, offsetWidth, offsetHeight }: HTMLTextAreaElement,
+  page: HTMLElement,
+) {
   const inside = (at: number, length: number, room: number) =>
     Math.max(length / 2 - at, Math.min(0, room - at - length / 2));
   style.marginTop = `${inside(offsetTop, offsetHeight, page.clientHeight)}px`;

@@ -211,7 +211,13 @@ export function PhotoTile({
         </button>
       )}
       {onTake && (
-        <button type="button" class="photo-take" tabIndex={tabIndex} aria-label={strings.takeInstead({ name })} onClick={onTake}>
+        <button
+          type="button"
+          class="photo-take"
+          tabIndex={tabIndex}
+          aria-label={strings.takeInstead({ name })}
+          onClick={onTake}
+        >
           {strings.take}
         </button>
       )}

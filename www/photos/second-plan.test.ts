@@ -154,7 +154,9 @@ test('a page that the user has touched keeps its photo with shut eyes in use', a
 /** Says that the first two photos of the page are frames of one shot, and that each other photo is a frame of its own shot. */
 function asFilm({ store }: Pick<Awaited<ReturnType<typeof app>>, 'store'>) {
   const [, second] = store.page.value?.panels ?? [];
-  store.facts.value.forEach((fact, i) => store.know({ ...fact, video: 'film', shot: fact.id === second.photo ? 1 : i + 1 }));
+  store.facts.value.forEach((fact, i) =>
+    store.know({ ...fact, video: 'film', shot: fact.id === second.photo ? 1 : i + 1 }),
+  );
 }
 
 test('a page of a video gets other shots when the video is read, before the detection ends', async () => {

@@ -195,9 +195,7 @@ export function createSaving({
   function touch(now: unknown[]) {
     if (now.every((part, i) => part === ledger.clean[i])) return;
     const { tray, name } = store.project.peek();
-    // A new project begins with a photo that could be read.
-    const isRead = () => store.facts.peek().some(({ meta }) => meta !== null);
-    if (ledger.place.stamp === '' && name === '' && (tray.length === 0 || !isRead())) return;
+    if (ledger.place.stamp === '' && tray.length === 0 && name === '') return;
     if (!ledger.dirty) ledger.since = performance.now();
     ledger.dirty = true;
     if (!trial) tell(ledger);
@@ -429,6 +427,8 @@ export function createSaving({
       // A missing project, possibly with the whole database, is not a conflict.
       if (typeof found?.stamp === 'string' && found.stamp !== before) throw conflict();
       const { name, tray } = history.present;
+      // None of its files could be read. It is stored as deleted, so that it is in no list.
+      const isBare = tray.length === 0 && name === '' && history.past.length === 0;
       const refs = [...ids, ...videos.map(({ fileKey }) => fileKey)];
       const about = {
         ...(found?.held && { held: found.held }),
@@ -439,7 +439,7 @@ export function createSaving({
         stamp,
         photos: tray.length,
         refs,
-        gone: null,
+        gone: isBare ? Date.now() : null,
       };
       await adopt(all.objectStore('states'), refs);
       const fresh = known.filter((fact) => facts.get(fact.id) !== fact);

@@ -237,9 +237,7 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
   });
 }
 
-test('the tools of a block have their names on a large screen, also next to the palette', async ({
-  page,
-}) => {
+test('the tools of a block have their names on a large screen, also next to the palette', async ({ page }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await openDesigner(page);
   await addBlock(page, 'Gaussian');
