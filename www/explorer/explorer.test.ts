@@ -89,7 +89,9 @@ describe('the explorer', () => {
   it('shows the drawn styles of a first wall that is stopped, and none after it is cleared', async () => {
     const { explorer } = app();
     const opening = explorer.open(PHOTO);
-    await vi.waitFor(() => expect(explorer.progress.value?.done).toBeGreaterThan(0));
+    await new Promise<void>((go) => {
+      explorer.progress.subscribe((doing) => doing && doing.done > 0 && go());
+    });
     expect(explorer.items.value).toEqual([]);
     explorer.stop();
     expect(explorer.items.value.length).toBeGreaterThan(0);

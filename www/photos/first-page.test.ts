@@ -53,11 +53,12 @@ describe('the first page', () => {
   });
 
   test('keeps the layout of its sketch', async () => {
-    const { store, reading, files, planner } = app(() => false);
+    const { store, reading, files, planner, release } = app(() => true);
     void reading.addFiles(files(...ten));
-    await vi.advanceTimersByTimeAsync(0);
+    await vi.advanceTimersByTimeAsync(50);
     expect(store.sketch.value).toBe(true);
     const layout = store.page.value?.layout;
+    release();
     await vi.advanceTimersByTimeAsync(700);
     expect(store.sketch.value).toBe(false);
     expect(planner.wishes.at(-1)).toMatchObject({ type: 'compose', layout });
