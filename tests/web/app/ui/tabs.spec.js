@@ -94,8 +94,8 @@ test('styles are filtered by kind, and the last applied style is first after a r
   await openBoard(page);
   const box = page.getByRole('listbox', { name: 'Styles' });
   const kinds = page.getByRole('combobox', { name: 'Style families' });
-  await page.mouse.move(5, 5);
-  await expect(kinds).toBeVisible();
+  await box.hover();
+  await expect(kinds).toHaveCSS('opacity', '1');
   await kinds.selectOption('Noir');
   await expect(box.getByRole('group')).toHaveCount(1);
   await box.getByRole('option', { name: 'Moonlight' }).click();
