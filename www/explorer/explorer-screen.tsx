@@ -97,12 +97,12 @@ export function Explorer() {
   );
 }
 
-/** The photo of the wall: the chosen one, the photo that it was drawn on, or the photo of all thumbnails. */
+/** The photo of the wall: the chosen one, the one of the first wall, or the photo of all thumbnails. */
 function useChosen(facts: readonly Shown[]): Shown | null {
   const { explorer } = useApp();
   const hero = useHero();
-  const found = (id: string | null | undefined) => facts.find((fact) => fact.id === id);
-  return found(explorer.photo.value) ?? found(explorer.items.value[0]?.photo.id) ?? found(hero) ?? null;
+  const found = (id: string | null) => facts.find((fact) => fact.id === id);
+  return found(explorer.photo.value) ?? found(explorer.begun.value) ?? found(hero) ?? null;
 }
 
 function sized({ id, meta }: Shown): Photo {

@@ -89,6 +89,7 @@ export function createExplorer({
   const lastParents: Signal<Parents | null> = signal(null);
   /** Whether the user has sorted the wall. */
   const sorted = signal(false);
+  const begun: Signal<string | null> = signal(null);
   let made = 0;
   let running: AbortController | null = null;
   /** Styles that will be shown together with the next ones. */
@@ -125,6 +126,8 @@ export function createExplorer({
     lastParents,
     parentsOf: (id: string) => parents.get(id),
     first,
+    /** The photo of the first wall. The wall stays on it if another photo becomes the photo of all thumbnails. */
+    begun: computed(() => begun.value),
     /** The photo that was chosen for the wall. */
     photo: signal(null) as Signal<string | null>,
     /** The style that is seen large. */
@@ -155,6 +158,7 @@ export function createExplorer({
    * Shows the wall on this photo: favourites first, then existing styles. An empty wall gets a first round of styles.
    */
   async function open(photo: Photo) {
+    begun.value ??= photo.id;
     const missing = ownStyles.favourites.peek().filter(({ id }) => !wall.pictures.has(id));
     if (missing.length > 0 && !(await run(photo, missing.length, (i) => missing[i], { choosy: false }))) return;
     if (!(await redraw(photo))) return;
