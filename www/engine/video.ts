@@ -29,7 +29,7 @@ export type Wish = {
 };
 /**
  * Known properties of the video: `duration` in seconds; `whole`: the stated duration of a truncated file; `looked`:
- * analysed share, 0 to 1; `frames`: number of frames; `shots`: indices of earlier frames with their shot numbers, which
+ * analysed share, 0 to 1; `frames`: number of frames. `shots` has indices of earlier frames and their shot numbers, which
  * change with the analysis.
  */
 export type About = {

@@ -151,7 +151,7 @@ test('a page that the user has touched keeps its photo with shut eyes in use', a
   expect(used).not.toContain('9.jpg');
 });
 
-/** Says that the first two photos of the page are frames of one shot, and that each other photo is a frame of its own shot. */
+/** Makes the photos frames of a video. The first two photos of the page have the same shot. */
 function asFilm({ store }: Pick<Awaited<ReturnType<typeof app>>, 'store'>) {
   const [, second] = store.page.value?.panels ?? [];
   store.facts.value.forEach((fact, i) =>
