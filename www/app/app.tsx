@@ -6,6 +6,7 @@ import { STYLE_ZONE, dragging, forStyle } from './drop.ts';
 import { Broken } from '../storage/broken.tsx';
 import { Guard } from './guard.tsx';
 import { EncodingDialog } from '../ui/encoding-dialog.tsx';
+import { QuestionDialog } from '../ui/question-dialog.tsx';
 import { Start } from './start.tsx';
 import { Toasts } from './toasts.tsx';
 import { TopBar } from './top-bar.tsx';
@@ -65,6 +66,7 @@ function Everything() {
       <CarriedPhoto />
       <Toasts />
       <EncodingDialog />
+      <QuestionDialog />
       {dialog === 'help' && <screens.help />}
       {typeof dialog === 'object' && dialog !== null && <LazyBrush key={dialog.brush} id={dialog.brush} />}
       {dialog === 'export' && store.page.value && <screens.export />}

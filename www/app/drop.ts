@@ -6,6 +6,7 @@
 import { signal } from '@preact/signals';
 import { failure } from '../engine/protocol.ts';
 import { noteFolders } from '../photos/folders.ts';
+import type { Signal } from '@preact/signals';
 
 /** Reports an entry that could not be read, by its name or its path in the dropped folder. */
 type Unread = (name: string, error: unknown) => void;
@@ -15,6 +16,12 @@ export const dragging = signal(false);
 
 /** Whether the style of the dragged picture would be used: Alt is held, or the picture is over the zone for that. */
 export const forStyle = signal(false);
+
+/**
+ * The point where the user dropped files, or the end of the button that opened the file dialog, in CSS pixels. Messages
+ * about the files appear there, until the user presses something else.
+ */
+export const spot: Signal<{ x: number; y: number } | null> = signal(null);
 
 /** Names, as `data-drop`, elements on which a picture is dropped for its style. */
 export const STYLE_ZONE = 'style';
@@ -41,6 +48,7 @@ export function acceptFiles(
     dragging.value = false;
     if (!event.dataTransfer || !carries(event)) return refuse(event);
     event.preventDefault();
+    spot.value = { x: event.clientX, y: event.clientY };
     const take = wantsStyle(event) ? imitate : accept;
     const files = await filesOf(event.dataTransfer, unread);
     if (files.length > 0) take(files);
@@ -49,6 +57,23 @@ export function acceptFiles(
     const files = [...(event.clipboardData?.files ?? [])];
     if (files.length > 0) accept(files);
   });
+  const follow = { capture: true, passive: true };
+  window.addEventListener('click', ({ target }) => isFileInput(target) && (spot.value = opener(window)), follow);
+  window.addEventListener(
+    'pointerdown',
+    ({ target }) => {
+      if (!(target instanceof Element && target.closest('.toasts'))) spot.value = null;
+    },
+    follow,
+  );
+}
+
+/** The end of the button that opens the file dialog. */
+function opener({ document }: Window) {
+  const button = document.activeElement?.closest('button');
+  if (!button) return null;
+  const { left, width, bottom } = button.getBoundingClientRect();
+  return { x: left + width / 2, y: bottom };
 }
 
 /** @param expect called when files are dragged in, or a dialog opens to choose some, seconds before they arrive */

@@ -5,6 +5,7 @@
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
+import { spot } from './drop.ts';
 import { FailedFiles } from './failed-files.tsx';
 import { Icon } from '../ui/icon.tsx';
 import type { Message } from '../ui/messages.ts';
@@ -29,7 +30,8 @@ export function Toasts() {
       <div class="toasts">
         <div role="alert" class="toast-alerts">
           <Alerts class="toast-list toast-grave" list={list.filter(({ kind }) => kind === 'grave')} />
-          <Alerts class="toast-list" list={list.filter(({ kind }) => kind === 'alert')} />
+          <Alerts class="toast-list" list={list.filter(({ kind, near }) => kind === 'alert' && !near)} />
+          <Alerts class="toast-list toast-near" list={list.filter(({ near }) => near)} at={spot.value} />
         </div>
         {running && (
           <div class="toast" aria-busy="true">
@@ -101,10 +103,19 @@ function timeLeft(seconds: number): string {
   return strings.timeLeft.minutes({ n: Math.ceil(seconds / 60) });
 }
 
-function Alerts({ list, class: name }: { list: Message[]; class: string }) {
+/** @param props `at`: the point below which they are, in CSS pixels; without it they are with the other messages */
+function Alerts({
+  list,
+  class: name,
+  at = null,
+}: {
+  list: Message[];
+  class: string;
+  at?: { x: number; y: number } | null;
+}) {
   const { messages } = useApp();
   return (
-    <div class={name}>
+    <div class={name} data-placed={at !== null} style={at ? { '--x': `${at.x}px`, '--y': `${at.y}px` } : undefined}>
       {list.map(({ id, text, way, more }) => (
         <div class="toast bad" key={id}>
           <Icon name="alert" />

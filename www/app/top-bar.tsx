@@ -38,7 +38,12 @@ export function TopBar() {
       <div class="top-end">
         <AppMenu />
         {page && wide && <Ways />}
-        {page && !wide && <ActionButton action={actions.download.download} />}
+        {page && !wide && (
+          <ActionButton action={actions.download.download} tells>
+            <Icon name="download" />
+            <span class="icon-text">PNG</span>
+          </ActionButton>
+        )}
       </div>
     </header>
   );

@@ -22,11 +22,7 @@ export function createBookActions({
   /** Asks before new pages replace pages with manual changes. */
   function asked(run: () => void) {
     if (store.sheets.peek().some(isHandMade))
-      messages.alert(
-        strings.book.spreadAsk,
-        { label: strings.book.spreadYes, run },
-        { label: strings.cancel, run() {} },
-      );
+      ui.question.value = { text: strings.book.spreadAsk, yes: strings.book.spreadYes, run };
     else run();
   }
 

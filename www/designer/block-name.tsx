@@ -1,4 +1,4 @@
-/** The name of a block: a plain name, and the technical term in a weaker colour. */
+/** The name of a block: a plain name, and the technical term for screen readers. */
 
 import { strings } from '../strings/strings.ts';
 import type { Block } from '../engine/types.ts';
@@ -10,7 +10,7 @@ export function BlockName({ block }: { block: Block }) {
   return (
     <>
       {name.slice(0, at)}
-      <span class="block-term">{name.slice(at)}</span>
+      <span class="visually-hidden">{name.slice(at)}</span>
     </>
   );
 }

@@ -26,7 +26,6 @@ export function createDesignerActions({ store, designer, ownStyles }: Pick<App, 
     },
     exportStyle: {
       label: strings.exportStyle,
-      short: strings.styleToolShort.export,
       icon: 'export',
       run: withStyle(ownStyles.exportFile),
     },

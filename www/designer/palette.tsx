@@ -133,7 +133,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
               <button
                 type="button"
                 class="palette-block"
-                title={strings.blockHelp(block)}
+                title={`${strings.blockName(block)}: ${strings.blockHelp(block)}`}
                 aria-description={[strings.blockHelp(block), note].filter(Boolean).join(' ')}
                 disabled={steps.length + 1 + Number(!!before) + Number(!!after) > MOST.blocks}
                 onPointerDown={(event) => drag.take(event, { block: block.id })}

@@ -17,7 +17,6 @@ export function StyleBar() {
   const { exportStyle, copyLink, duplicate, remove } = actions.designer;
   const importStyle = {
     label: strings.importStyle,
-    short: strings.styleToolShort.import,
     icon: 'open',
     run: () => file.current?.click(),
   };

@@ -119,10 +119,14 @@ export function orderByName({ store }: { store: Pick<Store, 'change'> }) {
   store.change({ type: 'choose-by', order: 'name', silent: true });
 }
 
-/** @param odd files that cannot be read, that are damaged or that look like another */
+/**
+ * @param odd files that cannot be read, that are damaged or that look like another
+ * @param detects whether faces are detected
+ */
 export function fakeApp(
   odd: Record<string, 'bad' | 'damaged' | 'coarse' | 'twin'> = {},
   hooks: Parameters<typeof createPages>[1] = {},
+  detects = false,
 ) {
   const store = createStore();
   const planner = fakePlanner();
@@ -147,7 +151,7 @@ export function fakeApp(
     },
     forgetPhoto: () => {},
   } as any;
-  const reading = createReading({ store, pages, engine, messages });
+  const reading = createReading({ store, pages, engine, messages, detects });
   const files = (...names: string[]) => names.map((name) => new File(['x'], name, { lastModified: 0 }));
   return { store, planner, pages, messages, engine, reading, files, scheduler: createScheduler() };
 }

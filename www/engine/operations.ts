@@ -254,10 +254,15 @@ function pixels(patch: Patch): { ok: PixelPatch; transfer: Transferable[] } {
   return { ok: { x, y, width, height, data }, transfer: [data.buffer] };
 }
 
-async function bitmap(patch: Patch): Promise<{ ok: BitmapPatch; transfer: Transferable[] }> {
+/** @param measure reads the pixels */
+async function bitmap(
+  patch: Patch,
+  measure?: (data: Uint8ClampedArray) => void,
+): Promise<{ ok: BitmapPatch; transfer: Transferable[] }> {
   const {
     ok: { x, y, width, height, data },
   } = pixels(patch);
+  measure?.(data);
   const image = await createImageBitmap(new ImageData(data, width, height));
   detach(data);
   return { ok: { x, y, width, height, bitmap: image }, transfer: [image] };

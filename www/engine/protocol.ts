@@ -197,8 +197,12 @@ export type Explored = {
   fault: string;
   look: string;
   signature: Uint8Array;
+  clipped: Clipped;
   bitmap: ImageBitmap;
 };
+
+/** The parts of the pixels of an image that are pure white and pure black. */
+export type Clipped = { white: number; black: number };
 
 /** Result of `import`: the measurements of a photo, and its two reduced copies. */
 export type Imported = {

@@ -10,6 +10,9 @@ import type { BitmapPatch, Explored, Operations, PhotoHandle } from './protocol.
 import type { Answer } from './serving.ts';
 import type { Style } from './types.ts';
 
+/** Minimum channel value of pure white, and maximum channel value of pure black. */
+const [PURE_WHITE, PURE_BLACK] = [251, 4];
+
 export function createStyleOperations({
   studio,
   fetchPhotos,
@@ -17,7 +20,10 @@ export function createStyleOperations({
 }: {
   studio: Studio;
   fetchPhotos: (photos: PhotoHandle[]) => Promise<void>;
-  bitmap: (patch: Patch) => Promise<{ ok: BitmapPatch; transfer: Transferable[] }>;
+  bitmap: (
+    patch: Patch,
+    measure?: (data: Uint8ClampedArray) => void,
+  ) => Promise<{ ok: BitmapPatch; transfer: Transferable[] }>;
 }) {
   /** Duration of each block in its last run, by photo and size. */
   const clocks: Map<string, Map<number, number>> = new Map();
@@ -110,9 +116,25 @@ export function createStyleOperations({
         const { score, novelty, fault, look, signature } = found;
         const patch = found.patch();
         found.free();
-        return { index, score, novelty, fault, look, signature, bitmap: (await bitmap(patch)).ok.bitmap };
+        let clipped = { white: 0, black: 0 };
+        const { ok } = await bitmap(patch, (data) => {
+          clipped = clippedParts(data);
+        });
+        return { index, score, novelty, fault, look, signature, clipped, bitmap: ok.bitmap };
       }),
     );
     return { ok, transfer: ok.map((item) => item.bitmap) };
   }
+}
+
+/** The parts of the pixels that are pure white and pure black, up to a few steps. */
+export function clippedParts(data: ArrayLike<number>): { white: number; black: number } {
+  let [white, black] = [0, 0];
+  for (let at = 0; at < data.length; at += 4) {
+    const [r, g, b] = [data[at], data[at + 1], data[at + 2]];
+    white += Number(Math.min(r, g, b) >= PURE_WHITE);
+    black += Number(Math.max(r, g, b) <= PURE_BLACK);
+  }
+  const pixels = Math.max(1, data.length / 4);
+  return { white: white / pixels, black: black / pixels };
 }

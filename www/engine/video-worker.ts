@@ -86,9 +86,12 @@ async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread, dur
     postMessage({ about: { duration, looked: Math.min(1, now) } });
   };
   const take = async (wanted: number) => {
-    const fresh = freshOf(looking.choose(to, wanted, Float64Array.from(taken), asked), taken, wanted || MOST);
+    const chosen = placesOf(looking.choose(to, wanted, Float64Array.from(taken), asked));
+    const fresh = freshOf(chosen, taken, wanted || MOST);
+    const shotAt = new Map(chosen.map(({ time, shot }) => [time, shot]));
+    const shots = taken.flatMap((time, index) => (shotAt.has(time) ? [[index, shotAt.get(time)]] : []));
     taken.push(...fresh.map(({ time }) => time));
-    postMessage({ about: { duration, frames: wanted === FIRST ? undefined : taken.length } });
+    postMessage({ about: { duration, frames: wanted === FIRST ? undefined : taken.length, shots } });
     await sender.send(fresh);
   };
   if (await looks.isShort()) {
@@ -107,12 +110,13 @@ async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread, dur
   return atTimes(sender, { ...wish, count: Math.min(count || FIRST, FIRST), times: undefined });
 }
 
-/**
- * @param chosen seconds and shots by turns
- * @param taken existing frames, which count. If there are too many, shots with a frame get no further one
- */
-function freshOf(chosen: Float64Array, taken: readonly number[], most: number): Place[] {
-  const all = Array.from({ length: chosen.length / 2 }, (_, i) => ({ time: chosen[2 * i], shot: chosen[2 * i + 1] }));
+/** @param chosen seconds and shots by turns */
+function placesOf(chosen: Float64Array): Omit<Required<Place>, 'index'>[] {
+  return Array.from({ length: chosen.length / 2 }, (_, i) => ({ time: chosen[2 * i], shot: chosen[2 * i + 1] }));
+}
+
+/** @param taken existing frames, which count. If there are too many, shots with a frame get no further one */
+function freshOf(all: readonly Omit<Required<Place>, 'index'>[], taken: readonly number[], most: number): Place[] {
   const before = new Set(taken);
   const having = new Set(all.filter(({ time }) => before.has(time)).map(({ shot }) => shot));
   const fresh = all.filter(({ time }) => !before.has(time));

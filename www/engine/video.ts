@@ -29,9 +29,16 @@ export type Wish = {
 };
 /**
  * Known properties of the video: `duration` in seconds; `whole`: the stated duration of a truncated file; `looked`:
- * analysed share, 0 to 1; `frames`: number of frames.
+ * analysed share, 0 to 1; `frames`: number of frames. `shots` has indices of earlier frames and their shot numbers, which
+ * change with the analysis.
  */
-export type About = { duration: number; whole?: number; looked?: number; frames?: number };
+export type About = {
+  duration: number;
+  whole?: number;
+  looked?: number;
+  frames?: number;
+  shots?: readonly (readonly [index: number, shot: number])[];
+};
 /** RGBA of `width` x `height` pixels, to be stretched to the square size and turned clockwise by `rotation` */
 export type Frame = {
   index: number;

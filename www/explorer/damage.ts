@@ -4,6 +4,7 @@
  * checks stricter.
  */
 
+import type { Clipped, Explored } from '../engine/protocol.ts';
 import type { EnergyMap, Subject } from '../engine/types.ts';
 
 /** The label of a face. */
@@ -29,6 +30,9 @@ const MIDTONES = [45, 215];
 const CLIPPED = 0.2;
 /** A midtone is lost below this lightness, or if all channels are above this value. */
 const [LOST_BLACK, LOST_WHITE] = [22, 236];
+/** The part of the pixels that a style may make pure white, pure black, or one of them. Line drawings are mostly paper. */
+const MOST_CLIPPED = { white: 0.18, black: 0.2, both: 0.25 };
+const MOST_CLIPPED_LINES = { white: 0.85, black: 0.4, both: 0.95 };
 /** Minimum roughness of a face, in roughnesses of the face in the photo; of a face that became lighter; and the steps of that. */
 const [FEATURES, LIGHT_FEATURES, LIGHTER] = [0.6, 0.8, 10];
 
@@ -68,6 +72,19 @@ export function damageOf(
     return roughness(now) < (lighter ? LIGHT_FEATURES : FEATURES) * roughness(then);
   });
   return faces.length > 0 && 2 * faded.length >= faces.length ? 'faceless' : '';
+}
+
+/**
+ * Whether a style makes too many pixels of a photo pure white or pure black.
+ * @param plain of the photo without a style
+ */
+export function isClipped(
+  { clipped: { white, black }, look }: Pick<Explored, 'clipped' | 'look'>,
+  plain: Clipped = { white: 0, black: 0 },
+): boolean {
+  const most = look === 'line' ? MOST_CLIPPED_LINES : MOST_CLIPPED;
+  const [whiter, blacker] = [white - plain.white, black - plain.black];
+  return whiter > most.white || blacker > most.black || whiter + blacker > most.both;
 }
 
 /**

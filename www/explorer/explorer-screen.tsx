@@ -78,6 +78,7 @@ export function Explorer() {
   return (
     <Workspace
       title={strings.styleExplorer}
+      heading={strings.explorer}
       class="explorer"
       tools={tools}
       busy={running !== null}
@@ -96,12 +97,12 @@ export function Explorer() {
   );
 }
 
-/** The photo of the wall: the chosen one, or the photo of all thumbnails. */
+/** The photo of the wall: the chosen one, the one of the first wall, or the photo of all thumbnails. */
 function useChosen(facts: readonly Shown[]): Shown | null {
   const { explorer } = useApp();
   const hero = useHero();
   const found = (id: string | null) => facts.find((fact) => fact.id === id);
-  return found(explorer.photo.value) ?? found(hero) ?? null;
+  return found(explorer.photo.value) ?? found(explorer.begun.value) ?? found(hero) ?? null;
 }
 
 function sized({ id, meta }: Shown): Photo {

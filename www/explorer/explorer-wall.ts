@@ -40,7 +40,7 @@ const MOST = 1200;
  */
 export function createWall(
   stays: (id: string) => boolean,
-  isDamaged: (photo: string, signature: Uint8Array) => boolean = () => false,
+  isDamaged: (photo: string, picture: Explored) => boolean = () => false,
 ) {
   const items: Signal<readonly Item[]> = signal([]);
   const dropped = signal(0);
@@ -49,19 +49,19 @@ export function createWall(
   /** Signatures of different photos are not comparable. */
   const signatures: Map<string, { photo: string; signature: Uint8Array }> = new Map();
 
-  return { items, dropped, pictures, hang, redraw, sort, clear };
+  return { items, dropped, pictures, sift, hang, redraw, sort, clear };
 
   /**
-   * @param how `choosy`: rejects similar and empty images; `behind`: inserts after this style (default: at the end);
-   *   `most`: maximum number
-   * @returns ids of the added styles
+   * @param how `choosy`: rejects similar and damaged images; `most`: maximum number; `waiting`: styles that do not hang
+   *   yet
+   * @returns the styles that may hang
    */
-  function hang(
+  function sift(
     photo: Photo,
     styles: readonly Style[],
     explored: readonly Explored[],
-    { choosy, behind, most = Infinity }: { choosy: boolean; behind?: string; most?: number },
-  ): string[] {
+    { choosy, most = Infinity, waiting = [] }: { choosy: boolean; most?: number; waiting?: readonly Item[] },
+  ): Item[] {
     const fresh: Item[] = [];
     for (const one of explored) {
       const style = styles[one.index];
@@ -71,13 +71,18 @@ export function createWall(
         if (!spare) dropped.value += 1;
         continue;
       }
-      fresh.push(kept(choosy ? renamed(style, one, fresh) : style, one, photo));
+      fresh.push(kept(choosy ? renamed(style, one, [...waiting, ...fresh]) : style, one, photo));
     }
+    return fresh;
+  }
+
+  /** @param behind inserts after this style (default: at the end) */
+  function hang(fresh: readonly Item[], behind?: string) {
+    if (fresh.length === 0) return;
     const all = items.peek();
     const at = all.findIndex(({ style }) => style.id === behind) + 1 || all.length;
     const next = [...all.slice(0, at), ...fresh, ...all.slice(at)];
-    if (fresh.length > 0) items.value = next.length > MOST ? thinned(next) : next;
-    return fresh.map(({ style }) => style.id);
+    items.value = next.length > MOST ? thinned(next) : next;
   }
 
   /** Redraws the wall with another photo, unless images would be similar. */
@@ -103,10 +108,11 @@ export function createWall(
     });
   }
 
-  function unwanted({ fault, signature }: Explored, photo: Photo): boolean {
+  function unwanted(one: Explored, photo: Photo): boolean {
+    const { fault, signature } = one;
     const alike = () =>
       [...signatures.values()].some((other) => other.photo === photo.id && near(other.signature, signature));
-    return fault !== '' || isDamaged(photo.id, signature) || alike();
+    return fault !== '' || isDamaged(photo.id, one) || alike();
   }
 
   /** Renames a style after its colour. */

@@ -14,6 +14,7 @@ const looks = (style: any) => ({
   novelty: 1,
   fault: '',
   look: style.seed % 2 ? 'line' : 'flat',
+  clipped: { white: 0, black: 0 },
   signature: Uint8Array.from([(style.seed * 32) % 256, (Math.floor(style.seed / 8) * 32) % 256, style.seed % 256, 0]),
 });
 
@@ -63,12 +64,49 @@ describe('the explorer', () => {
     await explorer.open(PHOTO);
     const [before, tried] = [ids(), sent()];
     expect(before.length).toBe(FIRST);
-    // The best first, and harsh ones last.
-    const ranks = explorer.items.value.map((item) => explorer.scores.points(item) - 100 * item.harsh);
-    expect(ranks).toEqual([...ranks].sort((a, b) => b - a));
     expect(new Set(explorer.items.value.map(({ harsh }) => harsh)).size).toBeGreaterThan(1);
     await explorer.open(PHOTO);
     expect([sent(), ids()]).toEqual([tried, before]);
+  });
+
+  it('shows the first wall in sorted groups, and no style changes its place', async () => {
+    const { explorer } = app();
+    let before: typeof explorer.items.value = [];
+    let groups = 0;
+    explorer.items.subscribe((items) => {
+      expect(items.slice(0, before.length)).toEqual(before);
+      const fresh = items.slice(before.length);
+      if (fresh.length > 0) groups += 1;
+      // The best first, and harsh ones last.
+      const ranks = fresh.map((item) => explorer.scores.points(item) - 100 * item.harsh);
+      expect(ranks).toEqual([...ranks].sort((a, b) => b - a));
+      before = items;
+    });
+    await explorer.open(PHOTO);
+    expect([before.length, groups]).toEqual([FIRST, FIRST / 24]);
+  });
+
+  it('shows the drawn styles of a first wall that is stopped, and none after it is cleared', async () => {
+    const { explorer } = app();
+    const opening = explorer.open(PHOTO);
+    await new Promise<void>((go) => {
+      explorer.progress.subscribe((doing) => doing && doing.done > 0 && go());
+    });
+    expect(explorer.items.value).toEqual([]);
+    explorer.stop();
+    expect(explorer.items.value.length).toBeGreaterThan(0);
+    explorer.clear();
+    await opening;
+    expect(explorer.items.value).toEqual([]);
+  });
+
+  it('leaves out burnt pictures, except the white paper of line drawings', async () => {
+    const { explorer } = await hung((style) => ({
+      ...looks(style),
+      clipped: { white: style.seed % 4 < 2 ? 0.5 : 0, black: style.seed % 8 === 2 ? 0.5 : 0 },
+    }));
+    const seeds = explorer.items.value.map(({ style }) => (style as any).seed);
+    expect(new Set(seeds.map((seed) => seed % 8))).toEqual(new Set([1, 3, 5, 6, 7]));
   });
 
   it('invents a round from its seed, the same again from the same', async () => {
@@ -250,10 +288,13 @@ describe('the wall', () => {
             fault: '',
             look: 'wild',
             signature: Uint8Array.from(cells.map((cell) => cell * 6)),
+            clipped: { white: 0, black: 0 },
             bitmap: { close: () => {} } as ImageBitmap,
           }));
           const on = { ...PHOTO, id: photo };
-          const hung = new Set(redraw ? [] : wall.hang(on, styles, explored, { choosy: true }));
+          const fresh = redraw ? [] : wall.sift(on, styles, explored, { choosy: true });
+          const hung = new Set(fresh.map(({ style }) => style.id));
+          wall.hang(fresh);
           if (redraw) wall.redraw(on, styles, explored);
           styles.forEach(({ id }, i) => {
             const kept = wall.items.value.some((item) => item.style.id === id && item.photo.id === photo);

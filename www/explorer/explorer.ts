@@ -9,7 +9,7 @@ import { strings } from '../strings/strings.ts';
 import { coloured } from './colouring.ts';
 import { createScores } from './explorer-scores.ts';
 import { createWall } from './explorer-wall.ts';
-import { damageOf } from './damage.ts';
+import { damageOf, isClipped } from './damage.ts';
 import { PLAIN } from '../photos/cover.ts';
 import { codeOf, explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
@@ -35,8 +35,8 @@ export type Explorer = ReturnType<typeof createExplorer>;
 /** Styles that the wall opens with, and that one press invents. For some photos only few styles are good, so more are tried. */
 export const FIRST = 96;
 const FIRST_TRIES = 6 * FIRST;
-/** Points of favourites on the first wall: more than any score. Favourites keep their order. */
-const ABOVE_ALL = 1e6;
+/** Styles of the first wall that are sorted and shown together. Later ones never move them. */
+const TOGETHER = 24;
 /** Points that neon colours or bleached areas everywhere cost on the first wall. */
 const HARSH = 100;
 export const ROUND = 240;
@@ -63,11 +63,14 @@ export function createExplorer({
   seed: () => number;
   judged?: boolean;
 }) {
-  /** Signatures of photos without a style. */
-  const plain: Map<string, Uint8Array> = new Map();
-  const wall = createWall(ownStyles.isFavourite, (photo, signature) => {
+  /** Measurements of photos without a style. */
+  const plain: Map<string, Pick<Explored, 'signature' | 'clipped'>> = new Map();
+  const wall = createWall(ownStyles.isFavourite, (photo, picture) => {
     const meta = store.album.peek().get(photo)?.meta;
-    return !!meta && damageOf(meta, signature, plain.get(photo)) !== '';
+    const before = plain.get(photo);
+    return (
+      isClipped(picture, before?.clipped) || (!!meta && damageOf(meta, picture.signature, before?.signature) !== '')
+    );
   });
   const progress: Signal<Doing | null> = signal(null);
   const scores = createScores({ engine, messages, items: wall.items, wanted: judged });
@@ -86,8 +89,11 @@ export function createExplorer({
   const lastParents: Signal<Parents | null> = signal(null);
   /** Whether the user has sorted the wall. */
   const sorted = signal(false);
+  const begun: Signal<string | null> = signal(null);
   let made = 0;
   let running: AbortController | null = null;
+  /** Styles that will be shown together with the next ones. */
+  let waiting: Item[] = [];
 
   const shown = computed(() => {
     const [kind, litter] = [look.value, lastParents.value];
@@ -120,6 +126,8 @@ export function createExplorer({
     lastParents,
     parentsOf: (id: string) => parents.get(id),
     first,
+    /** The photo of the first wall. The wall stays on it if another photo becomes the photo of all thumbnails. */
+    begun: computed(() => begun.value),
     /** The photo that was chosen for the wall. */
     photo: signal(null) as Signal<string | null>,
     /** The style that is seen large. */
@@ -150,14 +158,12 @@ export function createExplorer({
    * Shows the wall on this photo: favourites first, then existing styles. An empty wall gets a first round of styles.
    */
   async function open(photo: Photo) {
+    begun.value ??= photo.id;
     const missing = ownStyles.favourites.peek().filter(({ id }) => !wall.pictures.has(id));
     if (missing.length > 0 && !(await run(photo, missing.length, (i) => missing[i], { choosy: false }))) return;
     if (!(await redraw(photo))) return;
     if (!wall.items.peek().every(({ style }) => ownStyles.isFavourite(style.id))) return;
-    // The first wall shows its best styles first, and harsh ones last. Later rounds leave all styles in their places.
-    const points = (item: Item) => scores.points(item) - HARSH * item.harsh;
-    if (await invent(photo, FIRST_TRIES, FIRST))
-      wall.sort((item) => (ownStyles.isFavourite(item.style.id) ? ABOVE_ALL : points(item)));
+    await invent(photo, FIRST_TRIES, { enough: FIRST, together: TOGETHER });
   }
 
   /** Invents another round. */
@@ -165,8 +171,8 @@ export function createExplorer({
     if (await redraw(photo)) await invent(photo, ROUND);
   }
 
-  /** @param enough number of styles to add (default: all) */
-  function invent(photo: Photo, count: number, enough = Infinity) {
+  /** @param how `enough`: number of styles to add (default: all); `together`: number of styles that are shown at once */
+  function invent(photo: Photo, count: number, how: { enough?: number; together?: number } = {}) {
     const planner = store.planner.peek();
     if (!planner) return Promise.resolve(false);
     const from = first.peek() + made;
@@ -177,7 +183,7 @@ export function createExplorer({
       const at = (from + i) >>> 0;
       return coloured(planner.inventStyle(at), at, blocks);
     };
-    return run(photo, count, make, { choosy: true, enough });
+    return run(photo, count, make, { choosy: true, ...how });
   }
 
   /** Begins with another seed. */
@@ -237,24 +243,41 @@ export function createExplorer({
   }
 
   /**
-   * @param how `choosy`: rejects similar and empty images; `behind`: inserts after this style (default: at the end);
-   *   `enough`: number of styles to add (default: all)
+   * @param how `choosy`: rejects similar and damaged images; `behind`: inserts after this style (default: at the end);
+   *   `enough`: number of styles to add (default: all); `together`: number of styles that are shown at once
    */
-  function run(
+  async function run(
     photo: Photo,
     count: number,
     make: (i: number) => Style,
-    { choosy, behind, enough = Infinity }: { choosy: boolean; behind?: string; enough?: number },
+    {
+      choosy,
+      behind,
+      enough = Infinity,
+      together = 1,
+    }: { choosy: boolean; behind?: string; enough?: number; together?: number },
   ): Promise<boolean> {
     let left = enough;
     let last = behind;
-    const hang = (styles: readonly Style[], explored: readonly Explored[]) => {
-      const hung = wall.hang(photo, styles, explored, { choosy, behind: last, most: left });
-      left -= hung.length;
-      if (behind !== undefined) last = hung.at(-1) ?? last;
-      return hung.length;
+    const take = (styles: readonly Style[], explored: readonly Explored[]) => {
+      const fresh = wall.sift(photo, styles, explored, { choosy, most: left, waiting });
+      left -= fresh.length;
+      if (together > 1) waiting.push(...fresh);
+      else wall.hang(fresh, last);
+      if (behind !== undefined) last = fresh.at(-1)?.style.id ?? last;
+      if (waiting.length >= together) show();
+      return fresh.length;
     };
-    return work(photo, 'invent', count, make, hang, enough);
+    const whole = await work(photo, 'invent', count, make, take, enough);
+    if (whole) show();
+    return whole;
+  }
+
+  /** Shows the waiting styles, the best first and harsh ones last. */
+  function show() {
+    const points = (item: Item) => scores.points(item) - HARSH * item.harsh;
+    wall.hang([...waiting].sort((a, b) => points(b) - points(a)));
+    waiting = [];
   }
 
   /**
@@ -304,9 +327,9 @@ export function createExplorer({
   /** Measures a photo without a style, once, to compare styles with it. */
   async function measurePlain(photo: Photo, signal: AbortSignal) {
     if (plain.has(photo.id) || !store.album.peek().get(photo.id)?.meta) return;
-    for (const { bitmap, signature } of await engine.exploreStyles(photo.id, [PLAIN], photo, { signal })) {
+    for (const { bitmap, signature, clipped } of await engine.exploreStyles(photo.id, [PLAIN], photo, { signal })) {
       bitmap.close();
-      plain.set(photo.id, signature);
+      plain.set(photo.id, { signature, clipped });
     }
   }
 
@@ -314,6 +337,7 @@ export function createExplorer({
     running?.abort();
     running = null;
     progress.value = null;
+    show();
   }
 
   function clear() {

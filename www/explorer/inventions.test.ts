@@ -3,7 +3,10 @@ import { createInventions } from './inventions.ts';
 import { fakeApp } from '../document/testing.ts';
 import { eagerScheduler } from '../engine/testing.ts';
 
-type Judge = (seed: number, photo: string) => { fault: string; score: number };
+type Judge = (
+  seed: number,
+  photo: string,
+) => { fault: string; score: number; clipped?: { white: number; black: number } };
 
 async function app(judge: Judge, { judges = false, judged = true, mean = (_: number): number => 9 } = {}) {
   const made = fakeApp();
@@ -19,7 +22,9 @@ async function app(judge: Judge, { judges = false, judged = true, mean = (_: num
     hasPhoto: () => true,
     exploreStyles: async (photo: string, styles: any[], { width, height }: any) => {
       asked.push({ photo, width, height });
-      return styles.map((style, index) => ({ index, bitmap: { close: () => {} }, ...judge(seedOf(style), photo) }));
+      const clipped = { white: 0, black: 0 };
+      const bitmap = { close: () => {} };
+      return styles.map((style, index) => ({ index, clipped, bitmap, ...judge(seedOf(style), photo) }));
     },
     judgeStyle: async (_: string, style: any) => mean(seedOf(style)),
   };
@@ -55,6 +60,16 @@ it('leaves out what the net gives little, and what one of the photos is lost in'
   const none = await app((_, photo) => ({ fault: photos.add(photo).size > 1 ? 'murky' : '', score: 0.9 }));
   await vi.waitFor(() => expect(none.asked.length).toBeGreaterThan(10));
   expect(none.ids()).toEqual([]);
+});
+
+it('leaves out burnt pictures, compared with the photo', async () => {
+  const { ids } = await app((seed) => {
+    // The photo without a style has a white sky.
+    const white = Number.isNaN(seed) ? 0.3 : seed % 2 ? 0.4 : 0.5;
+    return { fault: '', score: 0.9, clipped: { white, black: 0 } };
+  });
+  await vi.waitFor(() => expect(ids().length).toBeGreaterThanOrEqual(6));
+  expect(ids().every((seed) => seed % 2 === 1)).toBe(true);
 });
 
 it('does without the net where none is wanted', async () => {

@@ -6,7 +6,8 @@
 
 import { effect, signal } from '@preact/signals';
 import { coloured } from './colouring.ts';
-import { damageOf } from './damage.ts';
+import { damageOf, isClipped } from './damage.ts';
+import { PLAIN } from '../photos/cover.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Scheduler } from '../engine/scheduler.ts';
@@ -85,12 +86,15 @@ export function createInventions({
     const all = Array.from({ length: PARCEL }, (_, i) => (from + i) >>> 0);
     let styles = all.map((at) => coloured(planner.inventStyle(at), at, blocks));
     for (const photo of photos) {
-      const explored = await engine.exploreStyles(photo.id, styles, photo, { signal: stop });
-      for (const { bitmap } of explored) bitmap.close();
+      const all = await engine.exploreStyles(photo.id, [...styles, PLAIN], photo, { signal: stop });
+      for (const { bitmap } of all) bitmap.close();
+      const plain = all.find(({ index }) => index === styles.length);
+      const explored = all.filter((one) => one !== plain);
       const meta = store.album.peek().get(photo.id)?.meta;
-      const isWhole = (signature?: Uint8Array) => !meta || !signature || damageOf(meta, signature) === '';
+      const isWhole = (signature?: Uint8Array) =>
+        !meta || !signature || damageOf(meta, signature, plain?.signature) === '';
       const good = explored.filter(
-        ({ fault, score, signature }) => fault === '' && score >= LEAST && isWhole(signature),
+        (one) => one.fault === '' && one.score >= LEAST && isWhole(one.signature) && !isClipped(one, plain?.clipped),
       );
       styles = good.map(({ index }) => styles[index]);
       if (styles.length === 0) return [];

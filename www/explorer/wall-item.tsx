@@ -88,6 +88,9 @@ export function WallItem({
           style={{ objectPosition: middle.map((part) => `${Math.round(part * 100)}%`).join(' ') }}
         />
       </button>
+      <p class="wall-name" aria-hidden="true">
+        {style.name}
+      </p>
       {points !== null && <Score points={points} />}
       {origin && (
         <span class="wall-origin" title={origin}>

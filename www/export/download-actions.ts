@@ -11,7 +11,8 @@ export function createDownloadActions({ store, download, ui }: Pick<App, 'store'
       label: strings.download,
       keys: ['Mod+S'],
       icon: 'download',
-      enabled: computed(() => store.page.value !== null && download.progress.value === null),
+      enabled: computed(() => store.page.value !== null),
+      why: computed(() => (download.progress.value === null ? '' : strings.exportRuns)),
       run: () => void download.start(),
     },
     exportPages: {

@@ -32,7 +32,14 @@ export function createLayoutActions({
         if (reshaping.editing.peek()) ui.sheet.value = null;
       },
     },
-    save: { label: strings.saveLayout, icon: 'save', enabled: there, run: ownLayouts.save, undo: 'step' },
+    save: {
+      label: strings.saveLayout,
+      short: strings.saveLayoutShort,
+      icon: 'save',
+      enabled: there,
+      run: ownLayouts.save,
+      undo: 'step',
+    },
     forget: {
       label: strings.forgetLayout,
       icon: 'bin',

@@ -288,11 +288,11 @@ export function createLettering({
   }
 
   /** @param text an empty text deletes the item */
-  function write(index: number, text: string) {
+  function write(index: number, text: string, gesture?: string) {
     const clean = bounded(text.trim()).trim();
     editing.value = -1;
     if (clean === '') remove(index);
-    else if (clean !== words.peek()[index]?.text) edit(index, { text: clean, located: undefined });
+    else if (clean !== words.peek()[index]?.text) edit(index, { text: clean, located: undefined }, gesture);
   }
 
   /** @param to its middle, in page widths */

@@ -1,4 +1,4 @@
-import { useLayoutEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
@@ -12,31 +12,43 @@ const LEAST = 14;
 const LEAST_FOR_WORDS = 10;
 /** Minimum width of the field, in CSS pixels. */
 const NARROWEST = 110;
+/** Maximum size of the text in the field of a sound effect, and the gap between field and effect, in CSS pixels. */
+const MOST_FOR_EFFECTS = 20;
+const GAP = 8;
 /** Room between the text and the outline, in parts of the width: an oval is narrow at the ends. */
 const PADS = { balloon: 0.1, caption: 0.05, effect: 0.03 };
 
 /**
- * The field for the text of an item, inside its balloon, which grows with the text. Enter, Escape and a click elsewhere accept
- * the text; Shift+Enter starts a line. Undo restores the text before.
+ * The field for the text of an item, inside its balloon, which grows with the text. The field of a sound effect is below
+ * or above the effect, which changes during typing. Enter, Escape and a click elsewhere accept the text; Shift+Enter starts
+ * a line. Undo restores the text before.
  * @param props `height` of the page, in its widths
  */
 export function WordEditor({ index, box, height }: { index: number; box: WordBox; height: number }) {
   const { lettering } = useApp();
   const field = useRef(null as HTMLTextAreaElement | null);
   const word = lettering.words.value[index];
+  const first = useRef(word.text);
   const done = useRef(false);
-  const place = placed(box, height);
+  // The field moves itself.
+  const place = useMemo(() => placed(box, height), []);
+  const isEffect = word.kind === 'effect';
+  const gesture = useMemo(() => lettering.step(), []);
 
   useLayoutEffect(() => {
     const area = field.current as HTMLTextAreaElement;
     const page = area.closest('.page') as HTMLElement;
-    const largest = Math.max(LEAST, box.size * page.clientWidth);
+    const text = Math.max(LEAST, box.size * page.clientWidth);
+    const largest = isEffect ? Math.min(MOST_FOR_EFFECTS, text) : text;
     const fit = () => {
       area.style.fontSize = `${largest}px`;
       const now = lettering.measured(index, area.value || word.text) ?? box;
       // The drawn balloon extends at least over the field.
-      const size = [Math.max(box.width, now.width), Math.max(box.height, now.height)] as const;
+      const size = isEffect
+        ? ([now.width, 0] as const)
+        : ([Math.max(box.width, now.width), Math.max(box.height, now.height)] as const);
       grow(area, page, size, PADS[word.kind]);
+      if (isEffect) moveBeside(area, page, now);
       // The font of the system may be wider than the font of the balloon, and then words would break.
       for (let text = largest - 1; area.scrollWidth > area.clientWidth && text >= LEAST_FOR_WORDS; text -= 1) {
         area.style.fontSize = `${text}px`;
@@ -58,7 +70,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
   function end(text: string, byKey: boolean) {
     if (done.current) return;
     done.current = true;
-    lettering.write(index, text);
+    lettering.write(index, text, gesture);
     // After a click elsewhere, the focus is there.
     if (byKey)
       requestAnimationFrame(() => focusOn(`[data-word="${index}"]`, '[data-word]', '.panels > [tabindex="0"]'));
@@ -82,13 +94,38 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       data-capitals={capitals(word)}
       style={{ ...place, '--fill': box.fill, '--ink': box.color }}
       onKeyDown={press}
+      onInput={({ currentTarget: { value } }) =>
+        isEffect && value.trim() !== '' && lettering.edit(index, { text: value.trim() }, gesture)
+      }
       onBlur={(event) => end(event.currentTarget.value, false)}
       onClick={(event) => event.stopPropagation()}
       onPointerDown={(event) => event.stopPropagation()}
     >
-      {word.text}
+      {first.current}
     </textarea>
   );
+}
+
+/** Moves the field below an effect; if there is no space, above it. */
+function moveBeside(area: HTMLTextAreaElement, page: HTMLElement, { x, y, width, height }: WordBox) {
+  const { style, offsetHeight } = area;
+  const [top, bottom] = [y * page.clientWidth - GAP, (y + height) * page.clientWidth + GAP];
+  style.margin = '0';
+  const middle = bottom + offsetHeight <= page.clientHeight ? bottom + offsetHeight / 2 : top - offsetHeight / 2;
+  style.left = `${(x + width / 2) * page.clientWidth}px`;
+  style.top = `${middle}px`;
+  keepInside(area, page);
+}
+
+/** Moves the field into the page. */
+function keepInside(
+  { style, offsetTop, offsetLeft, offsetWidth, offsetHeight }: HTMLTextAreaElement,
+  page: HTMLElement,
+) {
+  const inside = (at: number, length: number, room: number) =>
+    Math.max(length / 2 - at, Math.min(0, room - at - length / 2));
+  style.marginTop = `${inside(offsetTop, offsetHeight, page.clientHeight)}px`;
+  style.marginLeft = `${inside(offsetLeft, offsetWidth, page.clientWidth)}px`;
 }
 
 /**
@@ -106,8 +143,5 @@ function grow(area: HTMLTextAreaElement, page: HTMLElement, size: readonly [numb
   const border = area.offsetHeight;
   style.height = `${tall}px`;
   style.paddingBlock = `${Math.max(0, (tall - text - border) / 2)}px`;
-  const inside = (at: number, length: number, room: number) =>
-    Math.max(length / 2 - at, Math.min(0, room - at - length / 2));
-  style.marginTop = `${inside(area.offsetTop, tall, page.clientHeight)}px`;
-  style.marginLeft = `${inside(area.offsetLeft, across, page.clientWidth)}px`;
+  keepInside(area, page);
 }

@@ -3,9 +3,12 @@ import { edited, fakeApp, orderByName, pageOf } from '../document/testing.ts';
 
 vi.useFakeTimers();
 
-/** @param slow files that are never finished */
-function app(slow: (name: string) => boolean, odd: Parameters<typeof fakeApp>[0] = {}) {
-  const made = fakeApp(odd);
+/**
+ * @param slow files that are never finished
+ * @param detects whether faces are detected
+ */
+function app(slow: (name: string) => boolean, odd: Parameters<typeof fakeApp>[0] = {}, detects = false) {
+  const made = fakeApp(odd, {}, detects);
   const go: (() => void)[] = [];
   // The first files are on the sketch.
   made.planner.planned = (page, { keep }) =>
@@ -49,6 +52,19 @@ describe('the first page', () => {
     expect(store.history.value.shown.length).toBe(1);
   });
 
+  test('keeps the layout of its sketch', async () => {
+    const { store, reading, files, planner, release } = app(() => true);
+    void reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(50);
+    expect(store.sketch.value).toBe(true);
+    const layout = store.page.value?.layout;
+    release();
+    await vi.advanceTimersByTimeAsync(700);
+    expect(store.sketch.value).toBe(false);
+    expect(planner.wishes.at(-1)).toMatchObject({ type: 'compose', layout });
+    expect(store.page.value?.layout).toEqual(layout);
+  });
+
   test('waits no longer than until faces were looked for in its photos', async () => {
     const { store, reading, files, engine } = app(() => false);
     readInTurn(engine);
@@ -62,6 +78,17 @@ describe('the first page', () => {
     store.faced.value = new Set(read);
     await vi.advanceTimersByTimeAsync(5);
     expect(store.sketch.value).toBe(false);
+  });
+
+  test('of a video waits longer for faces', async () => {
+    const { store, reading, files, engine } = app(() => false, {}, true);
+    readInTurn(engine);
+    void reading.addFiles(files(...ten));
+    const know = () => store.facts.value.forEach((fact) => store.know({ ...fact, video: 'film' }));
+    await vi.advanceTimersByTimeAsync(550);
+    know();
+    await vi.advanceTimersByTimeAsync(300);
+    expect(store.sketch.value).toBe(true);
   });
 
   test('waits for more photos instead of pages of text', async () => {

@@ -7,6 +7,7 @@ import { batch, effect, signal } from '@preact/signals';
 import { chronological } from '../document/album.ts';
 import { USUAL_PANELS } from '../engine/bounds.ts';
 import { createTimer } from '../engine/scheduler.ts';
+import { onePerShot } from './one-per-shot.ts';
 import { pagesOfText } from './pages-of-text.ts';
 import type { Signal } from '@preact/signals';
 import type { Pages } from '../document/pages.ts';
@@ -59,7 +60,9 @@ export function createFirstPage({
     const enough = timer.runs || isEnough(read);
     // The wait ends when all photos are read.
     const soon = restOf(read.size) <= PATIENCE;
-    if (enough && !timer.runs) timer.start(soon ? 2 * PATIENCE : facesReady() ? WAIT : LONGER_WAIT, compose);
+    // A video is read for long, so its first page waits longer for faces.
+    const patience = detects && areFrames(read) ? FACE_WAIT : facesReady() ? WAIT : LONGER_WAIT;
+    if (enough && !timer.runs) timer.start(soon ? 2 * PATIENCE : patience, compose);
     if (enough && (!soon || finishing) && [...read].every((id) => store.faced.value.has(id))) timer.start(0, compose);
     // Frames arrive in the order of their video, mixed with the frames of the page.
     const unread = page.panels.flatMap(({ photo }) => (photo !== null && !read.has(photo) ? [photo] : []));
@@ -78,6 +81,10 @@ export function createFirstPage({
       store.photos.peek().filter(({ id }) => read.has(id)),
     );
     return read.size - texts.size >= Math.min(USUAL_PANELS, total - texts.size);
+  }
+
+  function areFrames(ids: ReadonlySet<string>): boolean {
+    return [...ids].every((id) => store.album.peek().get(id)?.video !== undefined);
   }
 
   /** estimated milliseconds for the remaining photos */
@@ -117,15 +124,16 @@ export function createFirstPage({
    */
   function compose(): boolean {
     if (!store.sketch.peek()) return false;
-    const photos = known();
+    const all = known();
+    const photos = onePerShot(all, store.album.peek(), Math.min(all.length, USUAL_PANELS));
     if (photos.length === 0) return false;
-    // The panels that the user sees already stay where they are, unless others suit the photos clearly better.
-    const before = store.page.peek();
+    // The panels that the user sees already stay where they are.
+    const sketch = store.page.peek();
     const panels = Math.min(photos.length, USUAL_PANELS);
-    const prefer = before?.panels.length === panels ? before.layout : null;
+    const layout = sketch?.panels.length === panels ? sketch.layout : undefined;
     const ids = photos.map(({ id }) => id);
     batch(() => {
-      pages.compose({ photos: ids, panels, prefer }, { silent: true });
+      pages.compose({ photos: ids, panels, layout }, { silent: true });
       store.sketch.value = false;
       composed.value = { version: store.version.peek(), at: performance.now() };
     });

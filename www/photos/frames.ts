@@ -63,6 +63,7 @@ export function createFrames({
         more: () => another(key, file, how.step, all),
         onAbout: (about) => {
           told(key, file, about);
+          number(video, about.shots ?? []);
           if (about.frames === undefined) return;
           intake.count(0, about.frames - expected);
           expected = about.frames;
@@ -116,6 +117,16 @@ export function createFrames({
         strings.filmReaches({ name: file.name, till: strings.clock(duration), whole: strings.clock(whole) }),
       );
     if (part !== undefined) looked(key, part < 1 ? { name: file.name, part } : undefined);
+  }
+
+  /** Updates the shot numbers of frames that were extracted before the shots were known. */
+  function number({ ids }: Video, shots: NonNullable<About['shots']>) {
+    batch(() => {
+      for (const [index, shot] of shots) {
+        const fact = store.album.peek().get(ids[index]);
+        if (fact && fact.shot !== shot) store.know({ ...fact, shot });
+      }
+    });
   }
 
   function looked(key: string, news: { name: string; part: number } | undefined) {

@@ -17,17 +17,22 @@ const SIDE = 96;
 /** The key that rotates the focused photo. */
 const ROTATE = 'R';
 
-/** @param props `stack`: number of photos in its closed stack; `onTake`: uses it instead of the others */
+/**
+ * @param props `stack`: number of photos in its closed stack; `onTake`: uses it instead of the others; `isStop`: whether Tab
+ *   reaches its controls
+ */
 export function PhotoTile({
   item: { id, use, starred = false },
   used,
   stack = 0,
   onTake,
+  isStop = true,
 }: {
   item: TrayItem;
   used: boolean;
   stack?: number;
   onTake?: () => void;
+  isStop?: boolean;
 }) {
   const { store, pages, reading, choosing, rotating, engine, selection, framing, messages, ui } = useApp();
   const tile = useRef(null as HTMLLIElement | null);
@@ -45,6 +50,7 @@ export function PhotoTile({
   const short = useComputed(() => shownOn(store.sheets.value, id, false)).value;
   const long = useComputed(() => shownOn(store.sheets.value, id, true)).value;
   const picked = framing.placing.value === id;
+  const tabIndex = isStop ? undefined : -1;
 
   function pick() {
     if (takes) framing.replace(panel, id);
@@ -85,7 +91,7 @@ export function PhotoTile({
       <div
         class="photo-picture"
         role="button"
-        tabIndex={ready ? 0 : -1}
+        tabIndex={ready && isStop ? 0 : -1}
         aria-label={strings.pickPhoto({ name })}
         aria-description={long || undefined}
         aria-pressed={picked}
@@ -122,6 +128,7 @@ export function PhotoTile({
       <label class="photo-use">
         <input
           type="checkbox"
+          tabIndex={tabIndex}
           aria-label={strings.usePhoto({ name })}
           aria-describedby={why && `why-${id}`}
           checked={used}
@@ -131,6 +138,7 @@ export function PhotoTile({
       <button
         type="button"
         class="photo-star"
+        tabIndex={tabIndex}
         aria-label={strings.starPhoto({ name })}
         aria-pressed={starred}
         title={strings.starLong}
@@ -141,6 +149,7 @@ export function PhotoTile({
       <button
         type="button"
         class="photo-remove"
+        tabIndex={tabIndex}
         aria-label={strings.removePhoto({ name })}
         title={strings.removePhoto({ name })}
         onClick={() => reading.remove(id)}
@@ -151,6 +160,7 @@ export function PhotoTile({
         <button
           type="button"
           class="photo-put photo-correct"
+          tabIndex={tabIndex}
           aria-label={strings.brush.correctPhoto({ name })}
           title={strings.brush.correctPhoto({ name })}
           onClick={() => {
@@ -165,7 +175,7 @@ export function PhotoTile({
           type="button"
           class="photo-rotate"
           data-picked={picked}
-          tabIndex={picked ? 0 : -1}
+          tabIndex={picked && isStop ? 0 : -1}
           aria-label={strings.rotateNamed({ name })}
           title={`${strings.rotatePhoto} (${ROTATE})`}
           onClick={() => void rotate()}
@@ -177,6 +187,7 @@ export function PhotoTile({
         <button
           type="button"
           class="photo-put"
+          tabIndex={tabIndex}
           aria-label={strings.putHere({ photo: name, panel: panel + 1 })}
           title={strings.putHere({ photo: name, panel: panel + 1 })}
           onClick={() => framing.replace(panel, id)}
@@ -188,6 +199,7 @@ export function PhotoTile({
         <button
           type="button"
           class="photo-stack"
+          tabIndex={tabIndex}
           aria-expanded="false"
           aria-label={strings.openStack({ count: stack, name })}
           title={strings.openStack({ count: stack, name })}
@@ -199,7 +211,13 @@ export function PhotoTile({
         </button>
       )}
       {onTake && (
-        <button type="button" class="photo-take" aria-label={strings.takeInstead({ name })} onClick={onTake}>
+        <button
+          type="button"
+          class="photo-take"
+          tabIndex={tabIndex}
+          aria-label={strings.takeInstead({ name })}
+          onClick={onTake}
+        >
           {strings.take}
         </button>
       )}

@@ -257,7 +257,7 @@ export function createReading({
     if (store.photos.peek().length === 0) {
       store.change({ type: 'no-page', silent: true });
       // For a single file the error message is enough.
-      if (files > 1) complaint = messages.alert(strings.noUsablePhoto);
+      if (files > 1) complaint = messages.fileAlert(strings.noUsablePhoto);
     } else if (step === null) {
       if (!firstPage.finish()) keepShown();
     } else if (planned !== inUse()) {

@@ -150,3 +150,39 @@ test('a page that the user has touched keeps its photo with shut eyes in use', a
   expect(used).toContain('0.jpg');
   expect(used).not.toContain('9.jpg');
 });
+
+/** Makes the photos frames of a video. The first two photos of the page have the same shot. */
+function asFilm({ store }: Pick<Awaited<ReturnType<typeof app>>, 'store'>) {
+  const [, second] = store.page.value?.panels ?? [];
+  store.facts.value.forEach((fact, i) =>
+    store.know({ ...fact, video: 'film', shot: fact.id === second.photo ? 1 : i + 1 }),
+  );
+}
+
+test('a page of a video gets other shots when the video is read, before the detection ends', async () => {
+  const made = await app([]);
+  const { store, names, planner } = made;
+  const planned = planner.planned as NonNullable<typeof planner.planned>;
+  planner.planned = (page, wish) => {
+    if (wish.type !== 'compose') return planned(page, wish);
+    return { ...page, panels: page.panels.map((panel, i) => ({ ...panel, photo: wish.photos[i], crop: null })) };
+  };
+  store.reading.value = { done: 9, total: 10 };
+  asFilm(made);
+  const before = names();
+  store.reading.value = null;
+  expect(names()).not.toEqual(before);
+  expect(new Set(store.page.value?.panels.map(({ photo }) => store.album.value.get(String(photo))?.shot)).size).toBe(6);
+  expect(store.history.value.past).toEqual([]);
+});
+
+test('a page of a video without repeated shots waits for the detection', async () => {
+  const { store, names, search } = await app(['9.jpg']);
+  const before = names();
+  store.reading.value = { done: 9, total: 10 };
+  store.facts.value.forEach((fact, i) => store.know({ ...fact, video: 'film', shot: i + 1 }));
+  store.reading.value = null;
+  expect(names()).toEqual(before);
+  search();
+  expect(names()).toContain('9.jpg');
+});

@@ -1,13 +1,15 @@
 /**
  * Plans the first page once more. The first page is composed when a few photos are read, so it may show receipts or
  * empty landscapes that came first. After all photos are read and searched, a page with a better choice of photos
- * replaces it once, in the same layout and style. A near-duplicate with open eyes also replaces one with shut eyes. Any
+ * replaces it once, in the same layout and style. A near-duplicate with open eyes also replaces one with shut eyes. A page
+ * of a video that repeats shots also changes, because the shots are known when the video has been read. Any
  * action of the user keeps the page.
  */
 
 import { effect, untracked } from '@preact/signals';
 import { photosOn } from '../engine/sheets.ts';
 import { rankOf } from './hero.ts';
+import { onePerShot, shotOf } from './one-per-shot.ts';
 import { pagesOfText } from './pages-of-text.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Pages } from '../document/pages.ts';
@@ -44,6 +46,8 @@ export function planAgain({
   window: Pick<Window, 'addEventListener'>;
   now?: () => number;
 }) {
+  /** The version whose shots were compared. */
+  let tried = '';
   const forget = () => {
     if (composed.peek() === null) return;
     composed.value = null;
@@ -56,21 +60,27 @@ export function planAgain({
     if (composed.value === null) return;
     const { version: own, at } = composed.value;
     if (version.value !== own || history.value.past.length > 0) return forget();
-    if (reading.value !== null || store.sketch.value || !searched.value) return;
-    forget();
-    if (now() - at <= OLDEST) untracked(replace);
+    if (reading.value !== null || store.sketch.value) return;
+    // Other shots need no detection, which takes long for a video.
+    const isEarly = !searched.value;
+    if (isEarly && (tried === own || untracked(() => repeatsOf(store.page.peek())) === 0)) return;
+    tried = own;
+    if (!isEarly) forget();
+    if (now() - at <= OLDEST) untracked(() => replace({ isEarly }));
   });
 
-  function replace() {
+  function replace({ isEarly }: { isEarly: boolean }) {
     const page = store.page.peek();
-    const exchanged = page !== null && useOpenEyes(page);
-    const photos = store.photos.peek();
+    const exchanged = !isEarly && page !== null && useOpenEyes(page);
+    const all = store.photos.peek();
+    const photos = page ? onePerShot(all, store.album.peek(), page.panels.length) : [];
     if (!page || (!exchanged && photos.length <= page.panels.length)) return;
     const { layout, style, panels } = page;
     const wish = { photos: photos.map(({ id }) => id), layout, style, panels: panels.length, surprise: 0 };
     pages.compose(wish, {
       silent: true,
-      accepts: (better) => exchanged || worthOf(better) >= worthOf(page) + LEAST_GAIN,
+      accepts: (better) =>
+        exchanged || repeatsOf(better) < repeatsOf(page) || (!isEarly && worthOf(better) >= worthOf(page) + LEAST_GAIN),
     });
   }
 
@@ -88,6 +98,12 @@ export function planAgain({
     });
     if (uses.length > 0) store.change({ type: 'use-photos', uses: Object.fromEntries(uses), silent: true });
     return uses.length > 0;
+  }
+
+  /** Number of panels whose shot is on the page before. */
+  function repeatsOf(page: PageDocument | null): number {
+    const shots = page?.panels.flatMap(({ photo }) => shotOf(store.album.peek(), photo ?? '') ?? []) ?? [];
+    return shots.length - new Set(shots).size;
   }
 
   /** Points for the people and animals of a page. The largest panel counts twice. */

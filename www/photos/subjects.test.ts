@@ -72,6 +72,23 @@ describe('subjects', () => {
     expect(subjects.progress.value).toBeNull();
   });
 
+  it('looks for faces on the visible page while other photos are read', async () => {
+    const { reading, files, painted, asked, objects, store } = app(async () => ({ boxes: [face], closer: false }));
+    await reading.addFiles(files('1.jpg', '2.jpg', '3.jpg'));
+    const page = store.page.value as NonNullable<typeof store.page.value>;
+    const panels = page.panels.map((panel) => ({ ...panel, photo: 'p2' }));
+    store.sketch.value = false;
+    store.change({ type: 'change-page', page: { ...page, panels }, silent: true });
+    asked.length = 0;
+    store.reading.value = { done: 3, total: 90 };
+    painted.value = true;
+    await settle();
+    expect([asked, objects]).toEqual([['p2'], []]);
+    store.reading.value = null;
+    await settle();
+    expect(asked).toEqual(['p2', 'p3']);
+  });
+
   it('looks at the photos of a page that appeared just now when the user rests', async () => {
     const { reading, files, painted, asked, objects, scheduler } = app(async () => ({ boxes: [], closer: false }));
     scheduler.hold(true);

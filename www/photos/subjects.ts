@@ -1,7 +1,8 @@
 /**
  * Subject detection: photos of the current page first, then other pages; faces and objects in parallel. Face detection
  * starts when the photos of the first page are read, if its model is already loaded (`expect`). All other detection
- * starts when the page is visible and the user rests, at low priority.
+ * starts when the page is visible and the user rests, at low priority. While photos are read, it looks for faces on the
+ * visible page.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -123,12 +124,15 @@ export function createSubjects({
 
   /**
    * The photo to look at next; a closer look waits until every photo was looked at. During reading, only faces for the
-   * first page are detected.
+   * sketch and for the visible page are detected. A long video is read for half a minute.
    */
   function due(lane: Lane): string | undefined {
     const looked = (id: string) => known.get(id) ?? {};
     if (store.sketch.value) return lane === 'faces' ? photos.value.find((id) => !looked(id).faces) : undefined;
-    if (store.reading.value !== null) return undefined;
+    if (store.reading.value !== null) {
+      const shown = photosOn(store.page.value ? [store.page.value] : []);
+      return lane === 'faces' ? photos.value.find((id) => shown.has(id) && !looked(id).faces) : undefined;
+    }
     const first = photos.value.find((id) => looked(id)[lane] === undefined);
     return first ?? (lane === 'faces' ? photos.value.find((id) => looked(id).closer) : undefined);
   }

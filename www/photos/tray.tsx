@@ -1,6 +1,6 @@
 /** The photo tray: photos in use, and excluded photos with the reason. */
 
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { isUsed } from '../document/album.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
@@ -34,6 +34,10 @@ export function Tray() {
   const inside = new Set(first === undefined ? [] : open.map(({ id }) => id));
   const aside = tray.filter((item) => !isUsed(item, verdicts) && !inside.has(item.id));
   const closed = kept.filter(({ id }) => !inside.has(id) || id === first);
+  // One photo is a tab stop, and arrows move between photos.
+  const [focused, setFocused] = useState(null as string | null);
+  const order = [...closed, ...aside].map(({ id }) => id);
+  const stop = focused !== null && order.includes(focused) ? focused : order[0];
   const shown = useGrowing([...closed.map(({ id }) => `used ${id}`), ...aside.map(({ id }) => `aside ${id}`)]);
   return (
     <section
@@ -42,6 +46,8 @@ export function Tray() {
       aria-label={strings.photos}
       aria-busy={reading !== null}
       data-replaces={replaces}
+      onFocusIn={({ target }) => setFocused(tileOf(target)?.dataset.photo ?? focused)}
+      onKeyDown={onKeyDown}
     >
       <header class="section-head">
         <h2>{strings.photos}</h2>
@@ -65,7 +71,7 @@ export function Tray() {
             if (item.id === first) return <Stack key="stack" items={stack} />;
             // The first used photo represents its stack.
             const top = stack.find((other) => isUsed(other, verdicts)) === item;
-            return tile(item, true, top ? stack.length : 0);
+            return tile(item, { used: true, stack: top ? stack.length : 0, isStop: item.id === stop });
           })}
       </ul>
       {aside.length > 0 && (
@@ -75,28 +81,52 @@ export function Tray() {
         </>
       )}
       {aside.length > 0 && (
-        <ul class="photos">{aside.filter(({ id }) => shown.has(`aside ${id}`)).map((item) => tile(item, false, 0))}</ul>
+        <ul class="photos">
+          {aside
+            .filter(({ id }) => shown.has(`aside ${id}`))
+            .map((item) => tile(item, { used: false, stack: 0, isStop: item.id === stop }))}
+        </ul>
       )}
       <Detection />
     </section>
   );
 }
 
+/** Steps of arrow keys between photos. */
+const STEPS: Record<string, number> = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
+
+const tileOf = (target: EventTarget | null) => (target as Element | null)?.closest<HTMLElement>('.photo') ?? null;
+
+/** Moves the focus from a control of a photo to the same control of its neighbour. */
+function onKeyDown(event: KeyboardEvent & { currentTarget: HTMLElement }) {
+  const { target, key, currentTarget, ctrlKey, metaKey, altKey, shiftKey } = event;
+  const tile = tileOf(target);
+  if (!tile || STEPS[key] === undefined || ctrlKey || metaKey || altKey || shiftKey) return;
+  const tiles = [...currentTarget.querySelectorAll<HTMLElement>('.photo')];
+  const next = tiles[tiles.indexOf(tile) + STEPS[key]];
+  if (!next) return;
+  event.preventDefault();
+  event.stopPropagation();
+  const { className, type } = target as HTMLInputElement;
+  const same = type === 'checkbox' ? next.querySelector('input') : next.querySelector(`.${className.split(' ')[0]}`);
+  ((same ?? next.querySelector('.photo-picture')) as HTMLElement).focus();
+}
+
 /**
  * The tile of a photo, the same object as long as nothing about it changes: a tray of hundreds is gone through with
  * every photo that is read.
  */
-function useTiles(): (item: TrayItem, used: boolean, stack: number) => VNode {
+function useTiles(): (item: TrayItem, how: { used: boolean; stack: number; isStop: boolean }) => VNode {
   const drawn = useRef(new Map() as Map<string, { of: string; item: TrayItem; tile: VNode }>);
   const before = drawn.current;
   // Tiles hold their canvas, so unused tiles are dropped.
   const now: typeof before = new Map();
   drawn.current = now;
-  return (item, used, stack) => {
-    const of = `${used} ${stack}`;
+  return (item, { used, stack, isStop }) => {
+    const of = `${used} ${stack} ${isStop}`;
     const last = before.get(item.id);
     const same = last?.of === of && last.item === item;
-    const tile = same ? last.tile : <PhotoTile key={item.id} item={item} used={used} stack={stack} />;
+    const tile = same ? last.tile : <PhotoTile key={item.id} item={item} used={used} stack={stack} isStop={isStop} />;
     now.set(item.id, { of, item, tile });
     return tile;
   };

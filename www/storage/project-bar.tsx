@@ -109,6 +109,7 @@ function ProjectsButton({ small = false, dot = false }: { small?: boolean; dot?:
       <IconButton
         icon="open"
         label={strings.projects}
+        short={strings.projects}
         help={text ? `${strings.projects}. ${text}` : undefined}
         class={sign}
         pressed={on}

@@ -416,6 +416,19 @@ describe('a save that failed', () => {
   });
 });
 
+it('lists no project whose files could not be read, and lists it when a photo comes', async () => {
+  const tab = await fakeBrowser().tab();
+  const list = async () => {
+    await tab.keeping.flush();
+    await tab.keeping.refresh();
+    return tab.keeping.list.value.length;
+  };
+  await tab.reading.addFiles([new File(['bad'], 'notes.txt')]);
+  expect([tab.store.tray.value.length, await list()]).toEqual([0, 0]);
+  await tab.reading.addFiles(tab.files('a.jpg'));
+  expect(await list()).toBe(1);
+});
+
 describe('hundreds of photos', () => {
   it('are in the state before the first of them is written; what comes through is there after a reload, and the rest is named', async () => {
     const browser = fakeBrowser();

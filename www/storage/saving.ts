@@ -427,6 +427,8 @@ export function createSaving({
       // A missing project, possibly with the whole database, is not a conflict.
       if (typeof found?.stamp === 'string' && found.stamp !== before) throw conflict();
       const { name, tray } = history.present;
+      // None of its files could be read. It is stored as deleted, so that it is in no list.
+      const isBare = tray.length === 0 && name === '' && history.past.length === 0;
       const refs = [...ids, ...videos.map(({ fileKey }) => fileKey)];
       const about = {
         ...(found?.held && { held: found.held }),
@@ -437,7 +439,7 @@ export function createSaving({
         stamp,
         photos: tray.length,
         refs,
-        gone: null,
+        gone: isBare ? Date.now() : null,
       };
       await adopt(all.objectStore('states'), refs);
       const fresh = known.filter((fact) => facts.get(fact.id) !== fact);

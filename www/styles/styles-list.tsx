@@ -72,21 +72,20 @@ export function StylesList() {
             sought.value = currentTarget.value;
           }}
         />
-        <div class="chips" role="group" aria-label={strings.styleFamilies}>
+        <select
+          class="select"
+          aria-label={strings.styleFamilies}
+          value={open}
+          onChange={({ currentTarget }) => {
+            kind.value = currentTarget.value;
+          }}
+        >
           {[{ id: '', name: strings.anyStyles }, ...kinds].map(({ id, name }) => (
-            <button
-              key={id}
-              type="button"
-              class="chip"
-              aria-pressed={id === open}
-              onClick={() => {
-                kind.value = id;
-              }}
-            >
+            <option key={id} value={id}>
               {name}
-            </button>
+            </option>
           ))}
-        </div>
+        </select>
       </div>
       {ui.styleShuffle.value && <StyleShuffle />}
       <Listbox

@@ -1,4 +1,5 @@
 import { isEnabled, now } from './action.ts';
+import { useApp } from './context.ts';
 import { Icon } from './icon.tsx';
 import { ariaShortcut, keyNames } from './shortcut.ts';
 import type { ComponentChildren } from 'preact';
@@ -7,7 +8,8 @@ import type { Action } from './action.ts';
 /**
  * The button of an action, with its accessible name and a tooltip.
  * @param props `text`: shows the name next to the icon. `opens`: the switched part appears next to it, like a drawer.
- *   `explains`: shows the reason if it cannot be used. `children`: replaces icon and text
+ *   `explains`: shows the reason if it cannot be used. `tells`: a press says the reason, for touch screens without
+ *   tooltips. `children`: replaces icon and text
  */
 export function ActionButton({
   action,
@@ -15,6 +17,7 @@ export function ActionButton({
   text = false,
   opens = false,
   explains = false,
+  tells = false,
   children,
 }: {
   action: Action;
@@ -22,8 +25,10 @@ export function ActionButton({
   text?: boolean;
   opens?: boolean;
   explains?: boolean;
+  tells?: boolean;
   children?: ComponentChildren;
 }) {
+  const { messages } = useApp();
   const { short, on, run } = action;
   const label = now(action.label);
   const icon = now(action.icon);
@@ -34,6 +39,7 @@ export function ActionButton({
   const told = shortcut ? `${help} (${keyNames(shortcut).join('+')})` : help;
   // The end of a sentence makes no way for a reason.
   const title = why ? `${told.replace(/[.。]$/u, '')}: ${why}` : told;
+  const isTold = tells && !!why;
   return (
     <button
       type="button"
@@ -43,8 +49,9 @@ export function ActionButton({
       aria-expanded={opens ? on?.value : undefined}
       aria-keyshortcuts={shortcut && ariaShortcut(shortcut)}
       title={title === shown ? undefined : title}
-      disabled={!isEnabled(action)}
-      onClick={run}
+      disabled={!isEnabled(action) && !isTold}
+      aria-disabled={isTold || undefined}
+      onClick={isTold ? () => messages.note(why) : run}
     >
       {children ?? (
         <>

@@ -1,9 +1,9 @@
 /**
  * A large preview of a choice on hover, keyboard focus or long press: the page in that style or layout, or a photo. It
- * is only visual, and Escape hides it.
+ * is only visual. Escape and any click hide it.
  */
 
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from './bitmap.tsx';
 import { useApp } from './context.ts';
@@ -27,6 +27,11 @@ type Side = 'page' | 'beside';
 
 /** Milliseconds of rest on a choice before it is drawn, because users who move across a list want to see the list. */
 const REST = 220;
+/** Keys that choose, and the point of such a key. */
+const CHOOSES = ['Enter', ' '];
+const BY_KEY = { x: NaN, y: NaN };
+/** Minimum movement of a pointer that moves on, in CSS pixels. */
+const MOVED = 2;
 
 type Pointed = { id: string; at: DOMRect };
 
@@ -49,15 +54,42 @@ export function useGlimpse(
     return after(glimpsed ? 0 : rest, () => setGlimpsed(make(pointed.id)));
   }, [pointed?.id]);
 
+  /**
+   * The point where the user chose something, NaN for keys. Elements that then appear under the resting pointer, or get
+   * the focus, show nothing. Null after the next movement or key.
+   */
+  const chose = useRef(null as { x: number; y: number } | null);
   useEffect(() => {
-    if (!pointed) return undefined;
-    const onKeyDown = (event: KeyboardEvent) => event.key === 'Escape' && setPointed(null);
-    window.addEventListener('keydown', onKeyDown);
-    return () => window.removeEventListener('keydown', onKeyDown);
-  }, [pointed !== null]);
+    const stop = new AbortController();
+    const how = { capture: true, passive: true, signal: stop.signal };
+    const choose = (at: { x: number; y: number }) => {
+      chose.current = at;
+      setPointed(null);
+    };
+    const onClick = ({ clientX, clientY, detail }: MouseEvent) =>
+      choose(detail > 0 ? { x: clientX, y: clientY } : BY_KEY);
+    const onKeyDown = ({ key }: KeyboardEvent) => {
+      chose.current = null;
+      if (CHOOSES.includes(key)) choose(BY_KEY);
+      else if (key === 'Escape') setPointed(null);
+    };
+    const onMove = ({ type, clientX, clientY }: PointerEvent) => {
+      const { x, y } = chose.current ?? BY_KEY;
+      if (Math.hypot(clientX - x, clientY - y) > MOVED || type === 'pointerdown') chose.current = null;
+      else if (type === 'pointermove' && chose.current === BY_KEY) chose.current = null;
+    };
+    window.addEventListener('click', onClick, how);
+    window.addEventListener('keydown', onKeyDown, how);
+    // The browser also sends `pointerover` for elements that appear under the resting pointer.
+    for (const type of ['pointerover', 'pointermove', 'pointerdown'] as const)
+      window.addEventListener(type, onMove, how);
+    return () => stop.abort();
+  }, []);
 
-  const point: Point = (id, element) =>
-    setPointed(id === null || !element ? null : { id, at: element.getBoundingClientRect() });
+  const point: Point = (id, element) => {
+    if (id === null || !element) setPointed(null);
+    else if (chose.current === null) setPointed({ id, at: element.getBoundingClientRect() });
+  };
   return {
     point,
     view: pointed && glimpsed && <Glimpse glimpsed={glimpsed} at={pointed.at} side={side} most={size} />,

@@ -30,7 +30,7 @@ export function Menu({ icon, label, children }: { icon: string; label: string; c
 
   return (
     <div class="menu" ref={menu}>
-      <IconButton icon={icon} label={label} expanded={open} onClick={() => setOpen(!open)} />
+      <IconButton icon={icon} label={label} short={label} expanded={open} onClick={() => setOpen(!open)} />
       {open && (
         <div
           class="menu-body"

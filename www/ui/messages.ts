@@ -14,8 +14,8 @@ import type { Signal } from '@preact/signals';
 export type Way = { label: string; run: () => void; stays?: boolean };
 /** `grave`: work or photos are lost unless the user acts. */
 type Kind = 'grave' | 'alert' | 'offer' | 'note';
-/** `more`: another way */
-export type Message = { id: number; kind: Kind; text: string; way?: Way; more?: Way };
+/** `more`: another way; `near`: it is about files, and appears where the user dropped or chose them */
+export type Message = { id: number; kind: Kind; text: string; way?: Way; more?: Way; near?: boolean };
 /** a file that could not be read; `text` is the message for a single file */
 type Failure = { name: string; why: string; text: string; way?: Way };
 export type Messages = ReturnType<typeof createMessages>;
@@ -52,13 +52,13 @@ export function createMessages() {
   const telling = createTimer();
 
   /** @returns to close it by */
-  function say(kind: Kind, text: string, way?: Way, more?: Way): number {
+  function say(kind: Kind, text: string, way?: Way, more?: Way, near = false): number {
     last += 1;
     const id = last;
     const others = list.value.filter(
       (message) => message.text !== text && (kind !== 'note' || message.kind !== 'note'),
     );
-    list.value = bounded([...others, { id, kind, text, way, more }]);
+    list.value = bounded([...others, { id, kind, text, way, more, near }]);
     if (kind === 'note') after(way ? WAY_MS : NOTE_MS, () => close(id));
     return id;
   }
@@ -142,7 +142,7 @@ export function createMessages() {
                 stays: true,
               },
             ];
-      if (!change(summary, text, way)) summary = say('alert', text, way);
+      if (!change(summary, text, way)) summary = say('alert', text, way, undefined, true);
     });
   }
 
@@ -164,6 +164,8 @@ export function createMessages() {
     /** An action for now or later. */
     offer: (text: string, way?: Way) => say('offer', text, way),
     alertGroup,
+    /** About files that the user dropped or chose. */
+    fileAlert: (text: string) => say('alert', text, undefined, undefined, true),
     fileFailed,
     change,
     close,

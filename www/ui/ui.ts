@@ -26,6 +26,9 @@ const PLACES_KEY = 'inkpanel.places';
 /** `brush`: the photo whose subject is corrected. */
 export type OpenDialog = 'help' | 'export' | { brush: string };
 
+/** A question before an action that replaces work. `yes`: the label of the button that runs the action. */
+export type Question = { text: string; yes: string; run: () => void };
+
 export type Work = 'designer' | 'explorer' | 'imitation' | 'projects' | 'pages' | 'boards';
 
 export function createUi(window: Window) {
@@ -35,6 +38,9 @@ export function createUi(window: Window) {
   const roomy = mediaSignal(window, '(min-width: 1340px)');
   /** The workspace over the board. */
   const work: Signal<Work | null> = signal(null);
+  /** The open question. It belongs to the open view. */
+  const question: Signal<Question | null> = signal(null);
+  work.subscribe(() => void (question.value = null));
 
   /** Whether single letters are shortcuts. Speech input and tremor can trigger them unintentionally. */
   const letterKeys = rememberedSwitch(box, LETTERS_KEY, true);
@@ -73,6 +79,7 @@ export function createUi(window: Window) {
     /** The open tab next to the page on a large screen. */
     sideTab: signal('styles') as Signal<SideTab>,
     work,
+    question,
     /** Opens a workspace, or closes the open one. */
     toggleWork(which: Work) {
       work.value = work.peek() === which ? null : which;

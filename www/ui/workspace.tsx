@@ -3,9 +3,13 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from './button.tsx';
 import type { ComponentChildren } from 'preact';
 
-/** A workspace above the board. The page stays drawn below it. */
+/**
+ * A workspace above the board. The page stays drawn below it.
+ * @param props `title`: its accessible name; `heading`: the visible name of its view, if that differs
+ */
 export function Workspace({
   title,
+  heading = title,
   tools,
   onClose,
   class: extra,
@@ -13,6 +17,7 @@ export function Workspace({
   children,
 }: {
   title: string;
+  heading?: string;
   tools?: ComponentChildren;
   onClose: () => void;
   class: string;
@@ -27,7 +32,7 @@ export function Workspace({
       <section class={`workspace-body ${extra}`} aria-label={title} aria-busy={busy} ref={ref} tabIndex={-1}>
         <header class="workspace-head">
           <IconButton icon="previous" label={strings.backToPage} onClick={onClose} />
-          <h2>{title}</h2>
+          <h2>{heading}</h2>
           {tools}
         </header>
         {children}

@@ -109,6 +109,21 @@ test('the first stop skips the bar and the photos', async ({ page }) => {
   await expectFocus(page, /^Panel 1 of/);
 });
 
+test('the photos are one stop before the page, and arrows move between them', async ({ page }) => {
+  await openBoard(page);
+  const photos = page.getByRole('region', { name: 'Photos' }).getByRole('button', { name: /^Choose / });
+  await photos.first().focus();
+  const { name } = await focus(page);
+  await page.keyboard.press('ArrowRight');
+  await expectFocus(page, /^Choose /);
+  expect((await focus(page)).name).not.toBe(name);
+  for (let i = 0; i < 6 && !/^Panel 1 of/.test((await focus(page)).name); i += 1) await page.keyboard.press('Tab');
+  await expectFocus(page, /^Panel 1 of/);
+  // Back to the same photo.
+  await page.keyboard.press('Shift+Tab');
+  expect((await focus(page)).name).not.toContain(name.replace('Choose ', ''));
+});
+
 test('a layout and a style are applied', async ({ page }) => {
   await openBoard(page);
   await tabTo(page, 'Styles');

@@ -107,6 +107,20 @@ test('a large view of an alternative has its names, and the page stays', async (
   await expect(version).toHaveText('Version 1 of 1');
 });
 
+test('choosing an alternative closes its large view, also if new alternatives appear under the pointer', async ({
+  page,
+}) => {
+  await openNewBoard(page);
+  await alternative(page, 2).hover();
+  await expect(page.locator('.glimpse [data-drawn=true]')).toBeVisible();
+  await page.mouse.down();
+  await page.mouse.up();
+  await expect(page.getByRole('button', { name: /^Page history/ })).toHaveText('Version 2 of 2');
+  await idle(page);
+  await expect.poll(() => drawn(page).count()).toBeGreaterThan(3);
+  await expect(page.locator('.glimpse')).toHaveCount(0);
+});
+
 test('Shuffle works in full screen, and Escape ends full screen', async ({ page }) => {
   await openNewBoard(page);
   await (await reach(page, 'Full screen')).click();

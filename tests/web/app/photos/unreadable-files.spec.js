@@ -3,6 +3,7 @@
 
 import { readFile } from 'node:fs/promises';
 import { crc32 } from 'node:zlib';
+import { tables } from '../database.js';
 import {
   SIX,
   accessible,
@@ -51,6 +52,15 @@ function oversizedPng() {
 /** @param {Page} page */
 const alert = (page) => page.getByRole('alert');
 
+/** Waits until the database has no project that is listed. @param {Page} page */
+async function expectNoProject(page) {
+  const listed = async () => Object.values((await tables(page)).projects).filter(({ gone }) => gone === null);
+  await expect.poll(listed).toEqual([]);
+  await page.getByRole('button', { name: 'Projects', exact: true }).click();
+  await expect(page.getByText('Your work is saved here automatically.')).toBeVisible();
+  await page.keyboard.press('Escape');
+}
+
 /** Opens the list of the unreadable files. @param {Page} page */
 async function showList(page) {
   await alert(page).getByRole('button', { name: 'Show the list' }).click();
@@ -89,7 +99,23 @@ test('if no file is readable, the start screen says so and accepts other files',
   await openStart(page);
   await add(page, [file('notes.txt', Buffer.from('no photo')), file('more.txt', Buffer.from('none either'))]);
   await expect(alert(page)).toContainText('None of these files could be used');
-  await expect(page.getByRole('button', { name: 'Choose photos or a video' })).toBeVisible();
+  const choose = page.getByRole('button', { name: 'Choose photos or a video' });
+  await expect(choose).toBeVisible();
+  await expectNoProject(page);
+  await dismissAlerts(page);
+
+  // The message is next to the button that opened the file dialog, until the user presses something else.
+  const dialog = page.waitForEvent('filechooser');
+  await choose.click();
+  await (await dialog).setFiles([file('notes.txt', Buffer.from('no photo'))]);
+  const toast = alert(page).locator('.toast');
+  await expect(toast).toContainText('notes.txt');
+  const [button, near] = [await choose.boundingBox(), await toast.boundingBox()];
+  expect(Math.abs(Number(near?.y) - Number(button?.y) - Number(button?.height))).toBeLessThan(30);
+  expect(Number(near?.x)).toBeLessThan(Number(button?.x) + Number(button?.width));
+  await expectNoProject(page);
+  await page.mouse.click(2, 2);
+  await expect.poll(async () => Number((await toast.boundingBox())?.x)).toBeLessThan(60);
   await dismissAlerts(page);
 
   // Subtitles of millions of tags, and subtitles that are larger than the limit.

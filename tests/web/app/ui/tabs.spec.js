@@ -49,6 +49,33 @@ test('pointing at a style shows the page in this style, and Escape closes the pr
   expect(await picture(page)).toBe(before);
 });
 
+for (const way of ['click', 'Enter'])
+  test(`choosing a style by ${way} closes the preview, and the page shows the style`, async ({ page }) => {
+    await openBoard(page);
+    const before = await picture(page);
+    const style = page
+      .getByRole('listbox', { name: 'Styles' })
+      .getByRole('option', { selected: false })
+      .filter({ visible: true })
+      .nth(1);
+    const seen = page.locator('.glimpse [data-drawn=true]');
+    await style.hover();
+    if (way === 'Enter') {
+      await page.mouse.move(5, 5);
+      await style.focus();
+      await page.keyboard.press('ArrowRight');
+    }
+    await expect(seen).toBeVisible();
+    if (way === 'click') await page.mouse.down().then(() => page.mouse.up());
+    else await page.keyboard.press('Enter');
+    await expect(seen).toHaveCount(0);
+    await idle(page);
+    await expect(seen).toHaveCount(0);
+    expect(await picture(page)).not.toBe(before);
+    await page.getByRole('button', { name: 'Undo', exact: true }).click();
+    await idle(page);
+  });
+
 test('a text item that is selected on the page opens its tab', async ({ page }) => {
   await openBoard(page);
   await tab(page, 'Text');
@@ -66,14 +93,15 @@ test('a text item that is selected on the page opens its tab', async ({ page }) 
 test('styles are filtered by kind, and the last applied style is first after a reload', async ({ page }) => {
   await openBoard(page);
   const box = page.getByRole('listbox', { name: 'Styles' });
-  const kinds = page.getByRole('group', { name: 'Style families' });
-  await page.getByRole('searchbox', { name: 'Search styles' }).focus();
-  await kinds.getByRole('button', { name: 'Noir', exact: true }).click();
+  const kinds = page.getByRole('combobox', { name: 'Style families' });
+  await box.hover();
+  await expect(kinds).toHaveCSS('opacity', '1');
+  await kinds.selectOption('Noir');
   await expect(box.getByRole('group')).toHaveCount(1);
   await box.getByRole('option', { name: 'Moonlight' }).click();
   await idle(page);
   expect((await contents(page)).style).toBe('Moonlight');
-  await kinds.getByRole('button', { name: 'All' }).click();
+  await kinds.selectOption('All');
   await page.reload();
   await idle(page);
   await expect(box.getByRole('group').first()).toHaveAccessibleName('Recent');
