@@ -30,6 +30,10 @@ const LARGE: usize = 2 * SIDE;
 /// A face below this share of the photo is small. If there is one, others may be too small for the first
 /// search.
 const SMALL: f64 = 0.12;
+/// The same for ninths of the photo, which find most faces of a large group. Neighbours overlap by a tenth.
+const SMALLER_PART: f64 = 0.4;
+const LARGER: usize = 4 * SIDE;
+const SMALLER: f64 = 0.07;
 /// A box of a part that ends this near to an inner edge is cut by it, in sides of the photo.
 const EDGE: f64 = 0.004;
 
@@ -56,8 +60,8 @@ impl Faces {
         Ok(detections(suppress(self.candidates(photo, whole, THRESHOLD)?, SAME)))
     }
 
-    /// Returns all faces, including small ones that appear in overlapping quarters of the photo. The result
-    /// replaces `first`.
+    /// Returns all faces, including small ones that appear in overlapping quarters or ninths of the photo. The
+    /// result replaces `first`.
     ///
     /// # Errors
     /// `detector` if the model fails.
@@ -70,15 +74,25 @@ impl Faces {
                 points: f.points,
             })
             .collect();
-        for (across, down) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
-            let (x, y) = (across * (1.0 - PART), down * (1.0 - PART));
-            let (width, height) = (photo.width() as f64, photo.height() as f64);
-            let region = Region { x: x * width, y: y * height, width: PART * width, height: PART * height };
-            let found = self.candidates(photo, region, CLOSER_THRESHOLD)?;
-            let edges = [x, y, x + PART, y + PART];
-            all.extend(found.into_iter().filter(|candidate| whole_in(candidate.corners, edges)));
+        all.extend(self.in_parts(photo, (2, PART))?);
+        if worth_the_closest_look(photo, &all) {
+            all.extend(self.in_parts(photo, (3, SMALLER_PART))?);
         }
         Ok(detections(suppress_parts(all, SAME)))
+    }
+
+    /// The faces in overlapping parts of a photo: the number of parts along a side, and the side of one.
+    fn in_parts(&self, photo: &Image, (count, part): (usize, f64)) -> Result<Vec<Candidate>> {
+        let mut all = Vec::new();
+        let start = |at: usize| at as f64 * (1.0 - part) / (count - 1) as f64;
+        for (x, y) in (0..count * count).map(|at| (start(at % count), start(at / count))) {
+            let (width, height) = (photo.width() as f64, photo.height() as f64);
+            let region = Region { x: x * width, y: y * height, width: part * width, height: part * height };
+            let found = self.candidates(photo, region, CLOSER_THRESHOLD)?;
+            let edges = [x, y, x + part, y + part];
+            all.extend(found.into_iter().filter(|candidate| whole_in(candidate.corners, edges)));
+        }
+        Ok(all)
     }
 
     fn candidates(&self, photo: &Image, region: Region, threshold: f64) -> Result<Vec<Candidate>> {
@@ -112,6 +126,12 @@ impl Faces {
 pub fn worth_a_closer_look(photo: &Image, faces: &[Detection]) -> bool {
     let largest = faces.iter().map(|face| face.width.max(face.height)).fold(0.0, f64::max);
     photo.width().max(photo.height()) >= LARGE && largest < SMALL
+}
+
+/// Whether ninths of the photo may show more faces: when there is a very small one.
+fn worth_the_closest_look(photo: &Image, faces: &[Candidate]) -> bool {
+    let smallest = faces.iter().map(|face| face.corners[3] - face.corners[1]).fold(f64::INFINITY, f64::min);
+    photo.width().max(photo.height()) >= LARGER && smallest < SMALLER
 }
 
 /// Returns whether a box is not cut by an edge of its part. The edges of the photo do not count.
@@ -150,6 +170,21 @@ mod tests {
         assert!(!whole_in([0.4, 0.5, 0.5, 0.63], left_part));
         // At the photo's own edge it is the photo that cuts it.
         assert!(whole_in([0.0, 0.1, 0.2, 0.3], left_part));
+    }
+
+    #[test]
+    fn the_closest_look_is_for_large_photos_with_a_very_small_face() {
+        let photo = |side: usize| {
+            let plane = Plane::filled(side, side / 2, 0);
+            Image::from_rgb([plane.clone(), plane.clone(), plane]).unwrap()
+        };
+        let face =
+            |size: f64| Candidate { corners: [0.1, 0.1, 0.1 + size, 0.1 + size], score: 0.9, points: None };
+        // A false face in the background is larger than the faces of the group.
+        assert!(worth_the_closest_look(&photo(1600), &[face(0.1), face(0.05)]));
+        assert!(!worth_the_closest_look(&photo(1600), &[face(0.1)]));
+        assert!(!worth_the_closest_look(&photo(1600), &[]));
+        assert!(!worth_the_closest_look(&photo(700), &[face(0.05)]));
     }
 
     #[test]

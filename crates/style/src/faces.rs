@@ -89,6 +89,13 @@ const SMALL: (f32, f32) = (60.0, 150.0);
 /// Radius of the smallest feature, and of its surroundings, in heights of a face.
 const FEATURE: f32 = 0.022;
 const SURROUNDINGS: f32 = 0.1;
+/// Heights of faces whose features are drawn again: all, and none. In pixels of a style.
+const DRAWN: (f32, f32) = (180.0, 330.0);
+/// Depth of a feature of a drawn face, relative to the photo: eyes and a mouth, and teeth and the whites of eyes.
+const DEEPER: (f32, f32) = (1.5, 1.0);
+/// Differences of a pixel from its surroundings between which it becomes a feature, in grey levels, and the largest change.
+const DETAILS: (f32, f32) = (3.0, 12.0);
+const MOST_DETAIL: f32 = 80.0;
 /// How much darker than its surroundings a pixel is that gets no ink, and all ink, in grey levels.
 const EDGE: (f32, f32) = (3.0, 13.0);
 /// Luma of hair and pupils, which get all ink, and least luma of skin, whose features get ink.
@@ -235,12 +242,46 @@ impl<'a> Care<'a> {
             let Some(room) = Room::around(face, photo) else { continue };
             let (before, after) = (room.cut_plane(&before), room.cut_plane(&after));
             // Only the tones of features and larger areas: hatching, dots and lines stay.
-            let radius = ((FEATURE * face.height as f32).round() as usize).max(1);
+            let radius = (FEATURE * face.height as f32).round() as usize;
             let (wanted, now) = (softened(&before, radius), softened(&after, radius));
             let ends = *ends.get_or_insert_with(|| Ends::of(drawn, recolours));
             room.each_pixel(face, (photo.width(), photo.height()), |(x, y), (i, j), share| {
                 let by = fit.wanted(f32::from(wanted.at(i, j))) - f32::from(now.at(i, j));
                 ends.shift(drawn, (x, y), share * part * by);
+            });
+        }
+    }
+
+    /// Draws the features of small faces as deep as in the photo or deeper. A style draws areas and lines as large as the eyes of
+    /// such a face, and only eyes and a mouth make it a face. `scale`: pixels of the render for one of a style.
+    pub(super) fn deepen(&self, photo: &Image, drawn: &mut Image, recolours: bool, scale: f32) {
+        let height = |face: &FaceBox| face.height as f32 / scale.max(f32::MIN_POSITIVE);
+        let small = |face: &&&FaceBox| face.height >= COMPARED && height(face) < DRAWN.1;
+        let faces: Vec<&FaceBox> = self.faces.iter().filter(small).copied().collect();
+        if faces.is_empty() {
+            return;
+        }
+        let (before, after) = (luma_plane(photo), luma_plane(drawn));
+        let ends = Ends::of(drawn, recolours);
+        for face in faces {
+            let Some(room) = Room::around(face, photo) else { continue };
+            // A negative is meant.
+            if Fit::of(&before, &after, face).is_none_or(|fit| fit.likeness < NEGATIVE) {
+                continue;
+            }
+            let part = 1.0 - step(DRAWN, height(face));
+            let (before, after) = (room.cut_plane(&before), room.cut_plane(&after));
+            let pixels = |part: f32| (part * face.height as f32).round() as usize;
+            let around = |plane: &Plane| softened(plane, pixels(SURROUNDINGS).max(2));
+            let (skin, drawn_skin) = (around(&before), around(&after));
+            room.each_pixel(face, (photo.width(), photo.height()), |(x, y), (i, j), share| {
+                let detail =
+                    |plane: &Plane, around: &Plane| f32::from(plane.at(i, j)) - f32::from(around.at(i, j));
+                let (own, now) = (detail(&before, &skin), detail(&after, &drawn_skin));
+                let wanted = step(DETAILS, own.abs()) * own * if own < 0.0 { DEEPER.0 } else { DEEPER.1 };
+                // Never flatter than the style draws it.
+                let by = if own < 0.0 { (wanted - now).min(0.0) } else { (wanted - now).max(0.0) };
+                ends.shift(drawn, (x, y), share * part * by.clamp(-MOST_DETAIL, MOST_DETAIL));
             });
         }
     }
@@ -252,8 +293,10 @@ impl<'a> Care<'a> {
         for face in self.faces.iter().filter(|face| face.height >= COMPARED) {
             let Some(room) = Room::around(face, photo) else { continue };
             let luma = room.cut_plane(&luma);
-            let mean = |part: f32| softened(&luma, ((part * face.height as f32).round() as usize).max(1));
-            let (fine, around) = (mean(FEATURE / 2.0), mean(SURROUNDINGS));
+            let mean = |part: f32, least: usize| {
+                softened(&luma, ((part * face.height as f32).round() as usize).max(least))
+            };
+            let (fine, around) = (mean(FEATURE / 2.0, 0), mean(SURROUNDINGS, 2));
             room.each_pixel(face, (photo.width(), photo.height()), |(x, y), (i, j), share| {
                 let (tone, around) = (f32::from(fine.at(i, j)), f32::from(around.at(i, j)));
                 let ink = step(EDGE, around - tone).max(1.0 - step(BLACK, tone));
@@ -812,6 +855,29 @@ mod tests {
         assert!(fit.missing() == 0.0 && fit.of_small(400.0) == 0.0);
         assert!((fit.of_small(30.0) - MENDED).abs() < 1e-6 && fit.of_small(100.0) > 0.3);
         assert!(Fit { likeness: -0.9, ..fit }.of_small(30.0) == 0.0, "a negative is meant");
+    }
+
+    #[test]
+    fn small_faces_get_deeper_features_and_large_ones_keep_those_of_the_style() {
+        let (photo, face) = portrait([190, 140, 110]);
+        let faces = [face];
+        let care = Care::of(&faces, &luma_plane(&photo)).unwrap();
+        // How much darker the left eye is than the cheeks, for a face of `height` in pixels of a style.
+        let depth = |drawn: &Image, height: f64| {
+            let mut drawn = drawn.clone();
+            care.deepen(&photo, &mut drawn, false, (face.height / height) as f32);
+            let luma = luma_plane(&drawn);
+            i32::from(luma.at(168, 128)) - i32::from(luma.at(148, 108))
+        };
+        let flat = Image::from_rgb([190, 140, 110].map(|tone| Plane::filled(336, 240, tone))).unwrap();
+        // The photo without its features, and the photo itself.
+        assert!(depth(&flat, 120.0) > 40 && depth(&flat, 400.0) == 0, "{}", depth(&flat, 120.0));
+        assert!(depth(&photo, 120.0) >= depth(&photo, 400.0));
+        let negative = Image::from_rgb(
+            [0, 1, 2].map(|c: usize| Plane::from_fn(336, 240, |x, y| 255 - photo.planes()[c].at(x, y))),
+        );
+        let negative = negative.unwrap();
+        assert_eq!(depth(&negative, 120.0), depth(&negative, 400.0));
     }
 
     #[test]

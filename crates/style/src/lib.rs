@@ -86,6 +86,7 @@ fn cared(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Imag
     let (lit, lines) = (care.lit(colours), care.lit_for_lines(lines));
     let mut drawn = layered(&style, (&lit, &lines), context, Some(&care))?;
     care.mend(&lit, &mut drawn, !style.keeps_colours(), context.scale());
+    care.deepen(&lit, &mut drawn, !style.keeps_colours(), context.scale());
     Ok(drawn)
 }
 
