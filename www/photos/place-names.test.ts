@@ -51,7 +51,7 @@ it('without a table no photo has a place', async () => {
   expect(places.names.peek().size).toBe(0);
 });
 
-it('text gets names only if the user turned them on, and is marked', async () => {
+it('text gets names unless the user turned them off, and is marked', async () => {
   const { places, on } = names({ wanted: false });
   expect(places.offered.peek()).toBe(false);
   places.begin([{ file: file('at Sintra'), ids: ['a'], video: null }]);

@@ -1,6 +1,6 @@
 /**
  * Names of the places where photos were taken, from the GPS data of their files. Only the names are stored, for this
- * visit. The locations are neither saved nor sent. Text has the names only if the user turned them on.
+ * visit. The locations are neither saved nor sent. Text has no names if the user turned them off.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -12,7 +12,7 @@ export type PlaceNames = ReturnType<typeof createPlaceNames>;
 
 /**
  * @param app `locationOf` returns the part of a file with a location; `load` loads the table of places, once; `wanted`:
- * whether the user turned place names on
+ * whether text may name places
  */
 export function createPlaceNames({
   locationOf,

@@ -53,7 +53,7 @@ export function createUi(window: Window) {
   /** Whether new pages get a title and captions. */
   const narration = rememberedSwitch(box, NARRATION_KEY, true);
   /** Whether captions name places by the location in photos. */
-  const places = rememberedSwitch(box, PLACES_KEY, false);
+  const places = rememberedSwitch(box, PLACES_KEY, true);
 
   return {
     ...createTheme(window),
