@@ -16,16 +16,6 @@ export type Project = {
   panels: number | null,
   /** Size, gutters and colours. */
   settings: PageSettings,
-  /** The page that is edited; `None` without pages. */
-  page: PageDocument | null,
-  /** Id of the page in the page history. */
-  pageId: number,
-  /** Names its place in the storyboard through all its versions. */
-  sheet: number,
-  /** The other pages of the storyboard, in order. */
-  others: ReadonlyArray<Sheet>,
-  /** Number of pages before the current page. */
-  at: number,
   /** The style in the designer. */
   draft: Draft | null,
   /** Unplaced text items. They return with their photos. */
@@ -42,6 +32,16 @@ export type Project = {
   styling: Styling,
   /** Settings of the storyboard: frame rate, order and sheets. Not written if they equal the defaults. */
   board?: Board | null,
+  /** The page that is edited; `None` without pages. */
+  page: PageDocument | null,
+  /** Id of the page in the page history. */
+  pageId: number,
+  /** Names its place in the storyboard through all its versions. */
+  sheet: number,
+  /** The other pages of the storyboard, in order. */
+  others: ReadonlyArray<Sheet>,
+  /** Number of pages before the current page. */
+  at: number,
 };
 
 /** A photo in the tray. */
@@ -239,7 +239,7 @@ export type AnimaticRequest = {
   dissolve: number,
   /** Whether the camera moves. */
   moves: boolean,
-  /** Whether dialogue, or else action, is shown as a caption. */
+  /** Whether dialogue, or else captions or action, is shown as a caption. */
   captions: boolean,
   /** Frames per second of animated panels from videos; 0 for stills. */
   living: number,

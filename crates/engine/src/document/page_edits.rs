@@ -166,7 +166,7 @@ mod tests {
             (json!({}), "edits: must be a list"),
             (json!([{ "type": "undo" }, 7]), "edits[1]: must be an object"),
             (json!([{ "type": "swap" }]), "edits[0].type: is not a known edit"),
-            (json!([{ "type": "swap-panels", "panel": "a", "with": 1 }]), "edits[0].panel: "),
+            (json!([{ "type": "swap-panels", "panel": "a", "with": 1 }]), "edits[0]: must be a whole number"),
         ] {
             let message = fails(edits);
             assert!(message.contains(location), "{message}");
