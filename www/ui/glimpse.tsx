@@ -27,9 +27,8 @@ type Side = 'page' | 'beside';
 
 /** Milliseconds of rest on a choice before it is drawn, because users who move across a list want to see the list. */
 const REST = 220;
-/** Keys that choose, and the point of such a key. */
+/** Keys that choose. */
 const CHOOSES = ['Enter', ' '];
-const BY_KEY = { x: NaN, y: NaN };
 /** Minimum movement of a pointer that moves on, in CSS pixels. */
 const MOVED = 2;
 
@@ -54,31 +53,31 @@ export function useGlimpse(
     return after(glimpsed ? 0 : rest, () => setGlimpsed(make(pointed.id)));
   }, [pointed?.id]);
 
+  /** The last position of the pointer; NaN before it moved. */
+  const pointer = useRef({ x: NaN, y: NaN });
   /**
-   * The point where the user chose something, NaN for keys. Elements that then appear under the resting pointer, or get
+   * Position of the pointer when the user chose something. Elements that then appear under the resting pointer, or get
    * the focus, show nothing. Null after the next movement or key.
    */
   const chose = useRef(null as { x: number; y: number } | null);
   useEffect(() => {
     const stop = new AbortController();
     const how = { capture: true, passive: true, signal: stop.signal };
-    const choose = (at: { x: number; y: number }) => {
-      chose.current = at;
+    const choose = () => {
+      chose.current = pointer.current;
       setPointed(null);
     };
-    const onClick = ({ clientX, clientY, detail }: MouseEvent) =>
-      choose(detail > 0 ? { x: clientX, y: clientY } : BY_KEY);
     const onKeyDown = ({ key }: KeyboardEvent) => {
       chose.current = null;
-      if (CHOOSES.includes(key)) choose(BY_KEY);
+      if (CHOOSES.includes(key)) choose();
       else if (key === 'Escape') setPointed(null);
     };
-    const onMove = ({ type, clientX, clientY }: PointerEvent) => {
-      const { x, y } = chose.current ?? BY_KEY;
-      if (Math.hypot(clientX - x, clientY - y) > MOVED || type === 'pointerdown') chose.current = null;
-      else if (type === 'pointermove' && chose.current === BY_KEY) chose.current = null;
+    const onMove = ({ type, clientX: x, clientY: y }: PointerEvent) => {
+      pointer.current = { x, y };
+      const from = chose.current;
+      if (from && (type === 'pointerdown' || !(Math.hypot(x - from.x, y - from.y) <= MOVED))) chose.current = null;
     };
-    window.addEventListener('click', onClick, how);
+    window.addEventListener('click', choose, how);
     window.addEventListener('keydown', onKeyDown, how);
     // The browser also sends `pointerover` for elements that appear under the resting pointer.
     for (const type of ['pointerover', 'pointermove', 'pointerdown'] as const)
