@@ -37,7 +37,10 @@ export function Tray() {
   // One photo is a tab stop, and arrows move between photos.
   const [focused, setFocused] = useState(null as string | null);
   const order = [...closed, ...aside].map(({ id }) => id);
-  const stop = focused !== null && order.includes(focused) ? focused : order[0];
+  const at = useRef(0);
+  at.current = Math.max(0, focused !== null && order.includes(focused) ? order.indexOf(focused) : at.current);
+  // If the focused photo is removed, its neighbour takes its place.
+  const stop = order[Math.min(at.current, order.length - 1)];
   const shown = useGrowing([...closed.map(({ id }) => `used ${id}`), ...aside.map(({ id }) => `aside ${id}`)]);
   return (
     <section
