@@ -18,8 +18,8 @@ export const dragging = signal(false);
 export const forStyle = signal(false);
 
 /**
- * The point where the user dropped files, or the end of the button that opened the file dialog, in CSS pixels. Messages
- * about the files appear there, until the user presses something else.
+ * The end of the button that opened the file dialog, in CSS pixels. Messages about the files appear there, until the user
+ * presses something else. After a drop they are with the other messages, because they would cover controls.
  */
 export const spot: Signal<{ x: number; y: number } | null> = signal(null);
 
@@ -48,7 +48,7 @@ export function acceptFiles(
     dragging.value = false;
     if (!event.dataTransfer || !carries(event)) return refuse(event);
     event.preventDefault();
-    spot.value = { x: event.clientX, y: event.clientY };
+    spot.value = null;
     const take = wantsStyle(event) ? imitate : accept;
     const files = await filesOf(event.dataTransfer, unread);
     if (files.length > 0) take(files);

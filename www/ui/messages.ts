@@ -14,7 +14,7 @@ import type { Signal } from '@preact/signals';
 export type Way = { label: string; run: () => void; stays?: boolean };
 /** `grave`: work or photos are lost unless the user acts. */
 type Kind = 'grave' | 'alert' | 'offer' | 'note';
-/** `more`: another way; `near`: it is about files, and appears where the user dropped or chose them */
+/** `more`: another way; `near`: it is about files, and appears at the button that chose them */
 export type Message = { id: number; kind: Kind; text: string; way?: Way; more?: Way; near?: boolean };
 /** a file that could not be read; `text` is the message for a single file */
 type Failure = { name: string; why: string; text: string; way?: Way };
