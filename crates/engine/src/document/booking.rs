@@ -48,7 +48,7 @@ impl Planning<'_> {
         let before = self.project.sheets();
         let sheet = |(i, page): (usize, Document)| {
             let texts = page.words.clone();
-            let mut page = with_words(Document { words: Vec::new(), ..page }, &before);
+            let mut page = with_words(Document { words: Vec::new(), ..page }, before);
             page.words.extend(texts);
             page.words.truncate(MOST_WORDS);
             Arc::new(Sheet {

@@ -15,7 +15,8 @@
 //! generation from game log" (2008), for faces and order as constraints.
 
 use super::{
-    Figure, INSET, Scenery, Seen, above, center, contains, covered, gap, hidden, panel_of, reaches, shared,
+    Class, Figure, INSET, Scenery, Seen, above, center, contains, covered, gap, hidden, panel_of, reaches,
+    shared,
 };
 use crate::layout::{Bounds, Point, ResolvedPanel};
 use crate::page::words::balloons;
@@ -205,7 +206,7 @@ fn one_mouth(one: (&TextItem, &Place), other: (&TextItem, &Place), speakers: &[(
 /// The faces that may speak, the likeliest first: large ones, that were surely seen.
 fn speakers(seen: &[Seen]) -> Vec<(usize, f64)> {
     let size = |seen: &Seen| seen.bounds.width * seen.bounds.height * (0.5 + 0.5 * seen.score);
-    let faces = || seen.iter().enumerate().filter(|(_, seen)| seen.face);
+    let faces = || seen.iter().enumerate().filter(|(_, seen)| seen.class == Class::Face);
     let largest = faces().map(|(_, seen)| size(seen)).fold(1e-12, f64::max);
     let mut likely: Vec<(usize, f64)> =
         faces().map(|(i, seen)| (i, 2.2 * (1.0 - (size(seen) / largest).sqrt()))).collect();
@@ -330,7 +331,11 @@ impl Room<'_> {
             let free = |bounds: Bounds| entry(from, end, bounds) > 1.0;
             let words = group.iter().zip(places).filter(|(i, _)| **i != index && **i != to);
             from.distance(end) <= LONGEST_NECK
-                && self.seen.iter().filter(|seen| seen.face).all(|seen| free(grown(seen.bounds, 0.006)))
+                && self
+                    .seen
+                    .iter()
+                    .filter(|seen| seen.class == Class::Face)
+                    .all(|seen| free(grown(seen.bounds, 0.006)))
                 && self.page.taken.iter().all(|(_, area)| free(*area))
                 && words.map(|(_, place)| place.area).all(free)
         };
@@ -437,14 +442,18 @@ impl Room<'_> {
         let mut nearest = size;
         for seen in self.seen {
             let body = seen.bounds.width * seen.bounds.height;
-            let part = cover(area, if seen.face { grown(seen.bounds, 0.004) } else { seen.bounds }, round);
-            if seen.face {
+            let part = cover(
+                area,
+                if seen.class == Class::Face { grown(seen.bounds, 0.004) } else { seen.bounds },
+                round,
+            );
+            if seen.class == Class::Face {
                 if part > 0.0 {
                     cost += FORBIDDEN + 4.0 * FORBIDDEN * part / own.min(body).max(1e-12);
                 }
                 nearest = nearest.min(gap(area, seen.bounds));
             } else if !seen.masked {
-                let weight = if seen.person { BODY } else { THING.0 };
+                let weight = if seen.class == Class::Person { BODY } else { THING.0 };
                 cost += weight * (part / own + 4.0 * part / body.max(1e-12));
             }
         }
@@ -571,8 +580,9 @@ impl Room<'_> {
     /// Returns the position of the head of the largest person or animal, or of the largest object without
     /// them, and the estimated bounds of the head.
     fn largest(&self) -> (Option<Point>, Option<Bounds>) {
-        let size =
-            |seen: &&Seen| seen.bounds.width * seen.bounds.height * if seen.person { 4.0 } else { 1.0 };
+        let size = |seen: &&Seen| {
+            seen.bounds.width * seen.bounds.height * if seen.class == Class::Person { 4.0 } else { 1.0 }
+        };
         let Some(seen) = self.seen.iter().max_by(|a, b| size(a).total_cmp(&size(b))) else {
             return (None, None);
         };
@@ -585,13 +595,16 @@ impl Room<'_> {
             width: wide,
             height: (height / 2.0).min(HEAD_SIZE.1 * width),
         };
-        (Some(Point::new(middle, y + 0.25 * height)), seen.alive.then_some(head))
+        (
+            Some(Point::new(middle, y + 0.25 * height)),
+            matches!(seen.class, Class::Person | Class::Animal).then_some(head),
+        )
     }
 
     /// Cost of a tail whose sides touch a face, or that lies on another panel. The line of the tail may pass
     /// next to them.
     fn grazed(&self, area: Bounds, tip: Point) -> f64 {
-        let faces = || self.seen.iter().filter(|seen| seen.face);
+        let faces = || self.seen.iter().filter(|seen| seen.class == Class::Face);
         if self.above.is_empty() && faces().next().is_none() {
             return 0.0;
         }
@@ -614,7 +627,7 @@ impl Room<'_> {
         let mut cost = 0.0;
         let head = self.seen[speaker].bounds;
         for (i, seen) in self.seen.iter().enumerate().filter(|(i, _)| *i != speaker) {
-            if seen.face {
+            if seen.class == Class::Face {
                 if entry(foot, tip, grown(seen.bounds, 0.004)) < 1.0 {
                     cost += FORBIDDEN;
                 } else if entry(foot, mouth, seen.bounds) < 1.0 && shared(seen.bounds, head) <= 0.0 {
@@ -623,7 +636,9 @@ impl Room<'_> {
                     // Readers expect the nearest mouth to speak.
                     cost += 24.0;
                 }
-            } else if seen.person && shared(self.seen[i].bounds, head) < 0.5 * head.width * head.height {
+            } else if seen.class == Class::Person
+                && shared(self.seen[i].bounds, head) < 0.5 * head.width * head.height
+            {
                 // The tail crosses another subject.
                 cost += 4.0 * inside(foot, tip, seen.bounds);
             }
