@@ -46,7 +46,11 @@ test('the photo of the cover is chosen from any page of a book', async ({ page }
   await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
   await idle(page);
   const [before] = (await contents(page)).photos;
-  await page.getByRole('region', { name: 'Photos' }).getByRole('button', { name: /^Choose / }).last().click();
+  await page
+    .getByRole('region', { name: 'Photos' })
+    .getByRole('button', { name: /^Choose / })
+    .last()
+    .click();
   await idle(page);
   expect((await contents(page)).photos).not.toEqual([before]);
   expect((await contents(page)).photos).toHaveLength(1);
