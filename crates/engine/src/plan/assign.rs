@@ -4,7 +4,7 @@
 use oorandom::Rand64;
 
 use super::best_first;
-use super::prepared::{Kind, Prepared, Shelf, are_duplicates, likeness};
+use super::prepared::{Kind, Prepared, Shelf, are_duplicates};
 use super::slots::{Assignment, LEADS, Slot, touch};
 use super::turns::Turns;
 use super::utility::{Look, placed};
@@ -171,12 +171,6 @@ impl<'a> Photos<'a> {
     pub fn are_duplicates(&self, a: usize, b: usize) -> bool {
         are_duplicates(&self.all[a], &self.all[b], self.duplicate_threshold)
     }
-
-    /// How much alike two photos are: 1 for near-duplicates, less for two photos of one moment.
-    #[must_use]
-    pub fn likeness(&self, a: usize, b: usize) -> f64 {
-        if self.are_duplicates(a, b) { 1.0 } else { likeness(&self.all[a], &self.all[b]) }
-    }
 }
 
 /// Whether a photo is gray.
@@ -222,16 +216,10 @@ impl Worths {
     }
 
     /// Returns the best assignment of unused photos to the open slots, with a small random term and without
-    /// photos whose likeness is at least `alike`, if possible. The result is the index of a photo for each open slot, or
-    /// `None` if there are too few photos.
+    /// similar photos if possible. The result is the index of a photo for each open slot, or `None` if there
+    /// are too few photos.
     #[must_use]
-    pub fn solve(
-        &self,
-        photos: &Photos,
-        order: Order,
-        alike: f64,
-        random: &mut Rand64,
-    ) -> Option<Vec<usize>> {
+    pub fn solve(&self, photos: &Photos, order: Order, random: &mut Rand64) -> Option<Vec<usize>> {
         if self.fresh.len() < self.open.len() {
             return None;
         }
@@ -247,7 +235,7 @@ impl Worths {
         for _ in 0..self.fresh.len() - self.open.len() {
             let pairs = (0..chosen.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
             let twins = |&(a, b): &(usize, usize)| {
-                photos.likeness(self.fresh[chosen[a]], self.fresh[chosen[b]]) >= alike
+                photos.are_duplicates(self.fresh[chosen[a]], self.fresh[chosen[b]])
             };
             let Some((a, b)) = pairs.rev().find(twins) else { break };
             let weaker = if values[a][chosen[a]] < values[b][chosen[b]] { a } else { b };
@@ -321,7 +309,7 @@ pub fn assign(photos: &[PhotoMeta], slots: &[Slot], order: Order, seed: u64) -> 
     let shelf = Shelf::new(photos.len());
     let photos = Photos::new(photos, &[], Turns::default(), &shelf, &mut random);
     let worths = Worths::of(slots, &photos);
-    let chosen = chosen(slots, &worths, &photos, order, 1.0, &mut random);
+    let chosen = chosen(slots, &worths, &photos, order, &mut random);
     crops(slots, &chosen, &photos)
 }
 
@@ -331,11 +319,10 @@ pub(super) fn chosen(
     worths: &Worths,
     photos: &Photos,
     order: Order,
-    alike: f64,
     random: &mut Rand64,
 ) -> Vec<usize> {
     let mut chosen: Vec<Option<usize>> = slots.iter().map(Slot::photo).collect();
-    match worths.solve(photos, order, alike, random) {
+    match worths.solve(photos, order, random) {
         Some(found) => {
             for (&slot, photo) in worths.open.iter().zip(found) {
                 chosen[slot] = Some(photo);
