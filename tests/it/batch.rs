@@ -769,7 +769,7 @@ fn edits_of_a_file_change_the_planned_pages() {
     let folder = album();
     let plan = |edits: &str, more: &[&str]| {
         fs::write(folder.path().join("edits.json"), edits).unwrap();
-        let options = ["--no-detect", "--layout", "cinema-4", "--json", "--edits", "edits.json"];
+        let options = ["--layout", "cinema-4", "--json", "--edits", "edits.json"];
         render(folder.path(), &[&options[..], more, &["album"]].concat())
     };
     let photos = |output: &Output| -> Vec<String> {

@@ -7,7 +7,6 @@ use super::limits::{
     MOST_STYLES, MOST_WAITING, MOST_WANTED, MOST_WORDS,
 };
 use super::project::{self, Focus, List, Order, Project, Sheet, Styling, TrayItem};
-use super::sheets::Pages;
 use super::shots::{self, Board, Shot};
 use super::{following, own, pages, sheets};
 use crate::json::fields::whole_of;
@@ -370,7 +369,7 @@ impl Project {
                 next.settings = settings.clone();
                 match page {
                     Some(page) => next.pages.replace(page.clone()),
-                    None => next.pages = Pages::default(),
+                    None => next.pages.clear(),
                 }
             }
             Edit::SetSheets { sheets, at } => next.set_pages(sheets, *at)?,
@@ -385,7 +384,7 @@ impl Project {
             Edit::DropWaiting { words } => return self.without_waiting(words),
             Edit::NoPage => {
                 self.page()?;
-                next.pages = Pages::default();
+                next.pages.clear();
             }
             Edit::Design { draft } => next.draft.clone_from(draft),
             Edit::OwnStyles { mine } => next.mine = own::reusing(&self.mine, mine),

@@ -308,6 +308,7 @@ impl History {
             used(shown.id, shown.sheet);
         }
         for state in self.states() {
+            used(state.page_id(), state.sheet());
             for sheet in state.sheets() {
                 used(sheet.page_id, sheet.sheet);
             }

@@ -21,8 +21,7 @@ use super::history::{History, Shown};
 use super::limits::{
     HISTORY, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS, MOST_SHOWN, MOST_STEPS, MOST_STYLES, MOST_WAITING,
 };
-use super::project::{self, List, Order, Parts, Project, Sheet, TrayItem};
-use super::sheets::Pages;
+use super::project::{self, List, Order, Pages, Parts, Project, Sheet, TrayItem};
 use super::shots::Board;
 use super::{Dropped, VERSION, leave_out, own, pages, refusal, version};
 use crate::error::Result;

@@ -15,7 +15,7 @@
 //! | [`carrying_out`] | the pages that intents ask for |
 //! | [`editor`] | applies edits, undo and redo |
 //! | [`page_edits`] | edits of planned pages by programs |
-//! | [`sheets`] | the pages of a storyboard, and which one is edited |
+//! | [`sheets`] | access to the pages of a storyboard |
 //! | [`own`] | lists shared by all projects |
 //! | [`planning`] | planning of pages from unused photos |
 //! | [`spreading`] | distribution of an album over pages |

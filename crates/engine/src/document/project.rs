@@ -4,7 +4,6 @@
 
 use super::draft::Draft;
 use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_LOVED, MOST_WANTED};
-use super::sheets::Pages;
 use super::shots::{Board, Shot};
 use crate::json::{Fields, Read, Writer, Wrong, fields};
 use crate::layout::PageSettings;
@@ -167,6 +166,150 @@ pub struct Sheet {
     #[cfg_attr(test, ts(skip))]
     pub rest: Map<String, Value>,
 }
+
+/// The pages of a storyboard in reading order, and which one is edited.
+///
+/// In JSON, the edited page is the fields `page`, `pageId` and `sheet` of the project. `others` has the other
+/// pages, and `at` is the index of the edited page among all pages.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Pages {
+    list: List<Sheet>,
+    /// Index of the edited page; 0 without pages.
+    active: usize,
+    /// Page id and sheet of the last edited page, if there are no pages. The next page continues its versions.
+    left: (u64, u64),
+}
+
+/// The fields of [`Pages`] in JSON.
+#[cfg(test)]
+#[derive(ts_rs::TS)]
+#[ts(rename_all = "camelCase")]
+#[expect(dead_code, reason = "describes JSON")]
+struct InJson {
+    /// The page that is edited; `None` without pages.
+    page: Option<Arc<Document>>,
+    /// Id of the page in the page history.
+    page_id: u64,
+    /// Names its place in the storyboard through all its versions.
+    sheet: u64,
+    /// The other pages of the storyboard, in order.
+    others: List<Sheet>,
+    /// Number of pages before the current page.
+    at: usize,
+}
+
+#[cfg(test)]
+impl ts_rs::TS for Pages {
+    type WithoutGenerics = Self;
+    type OptionInnerType = Self;
+
+    fn name(cfg: &ts_rs::Config) -> String {
+        InJson::name(cfg)
+    }
+
+    fn inline(cfg: &ts_rs::Config) -> String {
+        InJson::inline(cfg)
+    }
+
+    fn inline_flattened(cfg: &ts_rs::Config) -> String {
+        InJson::inline_flattened(cfg)
+    }
+}
+
+impl Pages {
+    /// The pages with the page at index `active` edited. `None` if `active` is out of range.
+    #[must_use]
+    pub fn new(pages: Vec<Arc<Sheet>>, active: usize) -> Option<Self> {
+        (active < pages.len()).then(|| Self { list: pages.into(), active, left: (0, 0) })
+    }
+
+    /// Reads the pages from the fields of a project.
+    ///
+    /// # Errors
+    /// Returns the location of the error.
+    fn read(fields: &mut Fields, parts: &mut dyn Parts) -> Read<Self> {
+        let mut id = |name: &str| Ok(fields.whole(name, 0, GREATEST_ID)?.unwrap_or_default());
+        let (page_id, sheet, active) = (id("pageId")?, id("sheet")?, id("at")? as usize);
+        let others = fields.part("others", &mut |value| parts.sheets(value))?.unwrap_or_default();
+        let page = fields.nullable("page").part("page", &mut |value| parts.page(value))?;
+        if active > others.len() || (page.is_none() && !others.is_empty()) {
+            return Err(Wrong::new("is not the index of a page").at("at"));
+        }
+        let mut seen = HashSet::from([sheet]);
+        if let Some(i) = others.iter().position(|other| !seen.insert(other.sheet)) {
+            return Err(Wrong::new("is a duplicate page").at("sheet").in_list(i).at("others"));
+        }
+        let Some(page) = page else { return Ok(Self { left: (page_id, sheet), ..Self::default() }) };
+        let mut list = others.to_vec();
+        list.insert(active, Arc::new(Sheet { page, page_id, sheet, rest: Map::new() }));
+        Ok(Self { list: list.into(), active, left: (0, 0) })
+    }
+
+    /// All pages in reading order.
+    #[must_use]
+    pub fn list(&self) -> &[Arc<Sheet>] {
+        &self.list
+    }
+
+    /// Index of the edited page; 0 without pages.
+    #[must_use]
+    pub fn active(&self) -> usize {
+        self.active
+    }
+
+    /// The edited page; `None` without pages.
+    #[must_use]
+    pub fn edited(&self) -> Option<&Arc<Sheet>> {
+        self.list.get(self.active)
+    }
+
+    /// Page id and sheet of the edited page, or of the last one if there are no pages.
+    pub(super) fn ids(&self) -> (u64, u64) {
+        self.edited().map_or(self.left, |sheet| (sheet.page_id, sheet.sheet))
+    }
+
+    /// Removes all pages.
+    pub(super) fn clear(&mut self) {
+        *self = Self { left: self.ids(), ..Self::default() };
+    }
+
+    /// The pages that are not edited, in reading order.
+    pub fn others(&self) -> impl Iterator<Item = &Arc<Sheet>> {
+        self.list.iter().enumerate().filter(|(i, _)| *i != self.active).map(|(_, sheet)| sheet)
+    }
+
+    /// Replaces the document of the edited page, or adds a first page.
+    pub(super) fn replace(&mut self, page: Arc<Document>) {
+        let (page_id, sheet) = self.ids();
+        let rest = self.edited().map(|sheet| sheet.rest.clone()).unwrap_or_default();
+        self.replace_sheet(Sheet { page, page_id, sheet, rest });
+    }
+
+    /// Replaces the edited page, or adds a first page.
+    pub(super) fn replace_sheet(&mut self, sheet: Sheet) {
+        let mut list = self.list.to_vec();
+        list.splice(self.active..(self.active + 1).min(list.len()), [Arc::new(sheet)]);
+        (self.list, self.left) = (list.into(), (0, 0));
+    }
+
+    /// Changes the pages for which `change` returns a new one. It gets the index of each page.
+    pub(super) fn each(&mut self, change: &mut Change<'_>) {
+        let mut changed = false;
+        let mut list = self.list.to_vec();
+        for (i, sheet) in list.iter_mut().enumerate() {
+            if let Some(page) = change(i, &sheet.page) {
+                *sheet = Arc::new(Sheet { page, ..Sheet::clone(sheet) });
+                changed = true;
+            }
+        }
+        if changed {
+            self.list = list.into();
+        }
+    }
+}
+
+/// Changes the page with that index. `None` leaves it unchanged.
+type Change<'c> = dyn FnMut(usize, &Arc<Document>) -> Option<Arc<Document>> + 'c;
 
 impl Default for Project {
     fn default() -> Self {

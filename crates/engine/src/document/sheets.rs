@@ -1,148 +1,12 @@
 //! The pages of a storyboard.
 
-use super::limits::GREATEST_ID;
-use super::project::{List, Parts, Project, Sheet};
-use crate::json::{Fields, Read, Writer, Wrong};
+use super::project::{Pages, Project, Sheet};
+use crate::json::Writer;
 use crate::page::Document;
 use crate::page::book::renumber;
 use crate::raster::Matte;
-use serde_json::Map;
 use std::collections::HashSet;
 use std::sync::Arc;
-
-/// The pages of a storyboard in reading order, and which one is edited.
-///
-/// In JSON, the edited page is the fields `page`, `pageId` and `sheet` of the project. `others` has the other
-/// pages, and `at` is the index of the edited page among all pages.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Pages {
-    list: List<Sheet>,
-    /// Index of the edited page; 0 without pages.
-    active: usize,
-}
-
-/// The fields of [`Pages`] in JSON.
-#[cfg(test)]
-#[derive(ts_rs::TS)]
-#[ts(rename_all = "camelCase")]
-#[expect(dead_code, reason = "describes JSON")]
-struct InJson {
-    /// The page that is edited; `None` without pages.
-    page: Option<Arc<Document>>,
-    /// Id of the page in the page history.
-    page_id: u64,
-    /// Names its place in the storyboard through all its versions.
-    sheet: u64,
-    /// The other pages of the storyboard, in order.
-    others: List<Sheet>,
-    /// Number of pages before the current page.
-    at: usize,
-}
-
-#[cfg(test)]
-impl ts_rs::TS for Pages {
-    type WithoutGenerics = Self;
-    type OptionInnerType = Self;
-
-    fn name(cfg: &ts_rs::Config) -> String {
-        InJson::name(cfg)
-    }
-
-    fn inline(cfg: &ts_rs::Config) -> String {
-        InJson::inline(cfg)
-    }
-
-    fn inline_flattened(cfg: &ts_rs::Config) -> String {
-        InJson::inline_flattened(cfg)
-    }
-}
-
-impl Pages {
-    /// The pages with the page at index `active` edited. `None` if `active` is out of range.
-    #[must_use]
-    pub fn new(pages: Vec<Arc<Sheet>>, active: usize) -> Option<Self> {
-        (active < pages.len()).then(|| Self { list: pages.into(), active })
-    }
-
-    /// Reads the pages from the fields of a project.
-    ///
-    /// # Errors
-    /// Returns the location of the error.
-    pub(super) fn read(fields: &mut Fields, parts: &mut dyn Parts) -> Read<Self> {
-        let mut id = |name: &str| Ok(fields.whole(name, 0, GREATEST_ID)?.unwrap_or_default());
-        let (page_id, sheet, active) = (id("pageId")?, id("sheet")?, id("at")? as usize);
-        let others = fields.part("others", &mut |value| parts.sheets(value))?.unwrap_or_default();
-        let page = fields.nullable("page").part("page", &mut |value| parts.page(value))?;
-        if active > others.len() || (page.is_none() && !others.is_empty()) {
-            return Err(Wrong::new("is not the index of a page").at("at"));
-        }
-        let mut seen = HashSet::from([sheet]);
-        if let Some(i) = others.iter().position(|other| !seen.insert(other.sheet)) {
-            return Err(Wrong::new("is a duplicate page").at("sheet").in_list(i).at("others"));
-        }
-        let Some(page) = page else { return Ok(Self::default()) };
-        let mut list = others.to_vec();
-        list.insert(active, Arc::new(Sheet { page, page_id, sheet, rest: Map::new() }));
-        Ok(Self { list: list.into(), active })
-    }
-
-    /// All pages in reading order.
-    #[must_use]
-    pub fn list(&self) -> &[Arc<Sheet>] {
-        &self.list
-    }
-
-    /// Index of the edited page; 0 without pages.
-    #[must_use]
-    pub fn active(&self) -> usize {
-        self.active
-    }
-
-    /// The edited page; `None` without pages.
-    #[must_use]
-    pub fn edited(&self) -> Option<&Arc<Sheet>> {
-        self.list.get(self.active)
-    }
-
-    /// The pages that are not edited, in reading order.
-    pub fn others(&self) -> impl Iterator<Item = &Arc<Sheet>> {
-        self.list.iter().enumerate().filter(|(i, _)| *i != self.active).map(|(_, sheet)| sheet)
-    }
-
-    /// Replaces the document of the edited page, or adds a first page.
-    pub(super) fn replace(&mut self, page: Arc<Document>) {
-        let sheet = match self.edited() {
-            Some(sheet) => Sheet { page, ..Sheet::clone(sheet) },
-            None => Sheet { page, page_id: 0, sheet: 0, rest: Map::new() },
-        };
-        self.replace_sheet(sheet);
-    }
-
-    /// Replaces the edited page, or adds a first page.
-    pub(super) fn replace_sheet(&mut self, sheet: Sheet) {
-        let mut list = self.list.to_vec();
-        list.splice(self.active..(self.active + 1).min(list.len()), [Arc::new(sheet)]);
-        self.list = list.into();
-    }
-
-    /// Changes the pages for which `change` returns a new one. It gets the index of each page.
-    pub(super) fn each(&mut self, change: &mut Change<'_>) {
-        let mut changed = false;
-        let mut list = self.list.to_vec();
-        for (i, sheet) in list.iter_mut().enumerate() {
-            if let Some(page) = change(i, &sheet.page) {
-                *sheet = Arc::new(Sheet { page, ..Sheet::clone(sheet) });
-                changed = true;
-            }
-        }
-        if changed {
-            self.list = list.into();
-        }
-    }
-}
-
-/// Changes the page with that index. `None` leaves it unchanged.
-type Change<'c> = dyn FnMut(usize, &Arc<Document>) -> Option<Arc<Document>> + 'c;
 
 impl Project {
     /// The edited page; `None` without pages.
@@ -151,16 +15,17 @@ impl Project {
         self.pages.edited().map(|sheet| &*sheet.page)
     }
 
-    /// Id of the edited page in the page history; 0 without pages.
+    /// Id of the edited page in the page history, or of the last one if there are no pages.
     #[must_use]
     pub fn page_id(&self) -> u64 {
-        self.pages.edited().map_or(0, |sheet| sheet.page_id)
+        self.pages.ids().0
     }
 
-    /// Names the place of the edited page in the storyboard through all its versions; 0 without pages.
+    /// Names the place of the edited page in the storyboard through all its versions. Without pages it is the
+    /// place of the last one.
     #[must_use]
     pub fn sheet(&self) -> u64 {
-        self.pages.edited().map_or(0, |sheet| sheet.sheet)
+        self.pages.ids().1
     }
 
     /// All pages in reading order.
