@@ -40,7 +40,7 @@ impl Project {
         self.sheets().len() > 1
     }
 
-    /// The page settings become those of the edited page.
+    /// Takes over the page settings of the edited page.
     pub(super) fn follow_paper(&mut self) {
         if let Some(page) = self.page().map(|page| &page.page).filter(|paper| **paper != *self.settings) {
             self.settings = Arc::new(page.clone());

@@ -450,7 +450,8 @@ impl Room<'_> {
         cost + self.manners(laid.word.kind(), area, rank, nearest / size)
     }
 
-    /// Number of placed text items of the panel that the eye would read in another order than the text.
+    /// Number of automatically placed text items of the panel that the eye would read in another order than the
+    /// text.
     fn misread(&self, index: usize, area: Bounds) -> usize {
         let Page { words, taken, ground, .. } = self.page;
         let word = &words[index];
@@ -458,6 +459,7 @@ impl Room<'_> {
             let before = *other < index;
             let (first, second) = if before { (*placed, area) } else { (area, *placed) };
             words[*other].panel == word.panel
+                && words[*other].is_auto()
                 && [word, &words[*other]].iter().all(|word| word.kind() != Kind::Effect)
                 && !reads_after(turned(first, ground.rtl), turned(second, ground.rtl))
         };
