@@ -227,18 +227,6 @@ fn text_is_read_panel_by_panel_from_top_to_bottom() {
 }
 
 #[test]
-fn a_new_balloon_is_read_where_its_text_is() {
-    // The user placed one balloon. The balloon before it in the text goes above it, the balloon after it below.
-    let stands =
-        item(json!({ "kind": "balloon", "text": "Two.", "panel": 0, "auto": false, "x": 0.5, "y": 0.5 }));
-    let word = |text: &str| item(json!({ "kind": "balloon", "text": text, "panel": 0 }));
-    let words = placed_by(&[word("One."), stands, word("Three.")], &[], None);
-    let turns: Vec<usize> =
-        measured(&page_of(&words), &letters()).unwrap().iter().map(|area| area.turn).collect();
-    assert_eq!(turns, [0, 1, 2]);
-}
-
-#[test]
 fn two_hundred_words_of_a_page_are_placed_on_it() {
     let word = |i: usize| item(json!({ "kind": "balloon", "text": format!("Number {i}"), "panel": i % 2 }));
     let mut page = page_of(&(0..200).map(word).collect::<Vec<_>>());
