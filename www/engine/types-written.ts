@@ -149,7 +149,7 @@ export const edits: { [Type in Edit['type']]: Extract<Edit, { type: Type }> & Ho
   "use-duplicate": {"alike":["q"],"photo":"p","type":"use-duplicate"},
   "refit": {"draw":{"seed":1},"grow":true,"type":"refit"},
   "set-paper": {"held":true,"settings":{"border":0.004,"borderColor":"#111111","cornerRadius":0.0,"dpi":300,"gutter":0.018,"height":3508,"margin":0.027,"paper":"#ffffff","width":2480},"taste":{"styles":{"comic":0.5}},"type":"set-paper"},
-  "compose": {"draw":{"seed":1},"layout":"splash","panels":1,"photos":["p"],"prefer":null,"style":"comic","surprise":0,"type":"compose"},
+  "compose": {"draw":{"seed":1},"layout":"splash","panels":1,"photos":["p"],"style":"comic","surprise":0,"type":"compose"},
   "add-page": {"draw":{"seed":1},"type":"add-page"},
   "remove-page": {"type":"remove-page"},
   "move-page": {"from":0,"to":1,"type":"move-page"},

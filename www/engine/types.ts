@@ -866,8 +866,6 @@ export type Intent = { "type": "crop-panel",
   layout?: LayoutChoice | null,
   /** The style. Default: chosen automatically. */
   style?: StyleChoice | null,
-  /** The preferred layout if none is set. */
-  prefer?: LayoutChoice | null,
   /** Randomness of the choice, see `Request::surprise`(crate::page::request::Request::surprise). */
   surprise?: number | null,
   /** Random choices. */
@@ -1203,8 +1201,6 @@ export type Request = {
   style?: StyleChoice | null,
   /** Options of the random choice of a style. */
   styling?: StylingRequest,
-  /** The preferred layout if none is set. Another layout replaces it only if it is clearly better. */
-  prefer?: LayoutChoice | null,
   /** Wanted number of panels if no layout is set. */
   panels?: number | null,
   /** How new photos are chosen. */

@@ -491,7 +491,7 @@ fn edits(page: &Value) -> Vec<Value> {
         { "type": "use-duplicate", "photo": "p", "alike": ["q"] },
         { "type": "refit", "grow": true, "draw": { "seed": 1 } },
         { "type": "set-paper", "settings": page["page"], "held": true, "taste": { "styles": { "comic": 0.5 } } },
-        { "type": "compose", "photos": ["p"], "panels": 1, "layout": "splash", "style": "comic", "prefer": null, "surprise": 0, "draw": { "seed": 1 } },
+        { "type": "compose", "photos": ["p"], "panels": 1, "layout": "splash", "style": "comic", "surprise": 0, "draw": { "seed": 1 } },
         { "type": "add-page", "draw": { "seed": 1 } },
         { "type": "remove-page" },
         { "type": "move-page", "from": 0, "to": 1 },

@@ -149,7 +149,7 @@ impl Planning<'_> {
             Intent::UseDuplicate { photo, alike } => {
                 Ok(self.replanned(with_duplicate(page, photo, alike), None)?.map(Outcome::Shown))
             }
-            Intent::Compose { photos, panels, layout, style, prefer, surprise, draw } => {
+            Intent::Compose { photos, panels, layout, style, surprise, draw } => {
                 let own: Vec<Known> = photos
                     .iter()
                     .filter_map(|id| self.photos.iter().find(|photo| photo.id() == id).copied())
@@ -159,7 +159,6 @@ impl Planning<'_> {
                     panels: Some(*panels),
                     layout: layout.clone(),
                     style: style.clone(),
-                    prefer: prefer.clone(),
                     surprise: *surprise,
                     ..self.drawn(page, Keep::default(), draw)
                 };

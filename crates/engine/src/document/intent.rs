@@ -163,9 +163,6 @@ pub enum Intent {
         /// The style. Default: chosen automatically.
         #[cfg_attr(test, ts(as = "Option<crate::page::document::StyleChoice>", optional = nullable))]
         style: Option<StyleRef>,
-        /// The preferred layout if none is set.
-        #[cfg_attr(test, ts(as = "Option<crate::page::document::LayoutChoice>", optional = nullable))]
-        prefer: Option<LayoutRef>,
         /// Randomness of the choice, see [`Request::surprise`](crate::page::request::Request::surprise).
         #[cfg_attr(test, ts(optional = nullable))]
         surprise: Option<f64>,

@@ -42,10 +42,6 @@ pub struct Request {
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<_>", optional))]
     pub styling: Styling,
-    /// The preferred layout if none is set. Another layout replaces it only if it is clearly better.
-    #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<crate::page::document::LayoutChoice>"))]
-    pub prefer: Option<LayoutRef>,
     /// Wanted number of panels if no layout is set.
     #[serde(default)]
     pub panels: Option<usize>,

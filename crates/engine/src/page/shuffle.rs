@@ -12,7 +12,7 @@ use crate::framing::PhotoMeta;
 use crate::layout::merge::{can_merge, mergeable};
 use crate::layout::{Template, Whole, whole};
 use crate::plan::assign::Photos;
-use crate::plan::layouts::{self, DRAWN, Wanted};
+use crate::plan::layouts::{self, Wanted};
 use crate::plan::prepared::worth_showing;
 use crate::plan::{Assignment, Candidate, Order, Plan, Score, Shelf, Turns, compose};
 use crate::select::DUPLICATE_THRESHOLD;
@@ -72,9 +72,8 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let merges = stages.iter().any(|stage| !stage.merges.is_empty());
     let usual = if current.is_none() && !merges { FIRST_HEAT } else { 1.0 };
     let heat = request.surprise.filter(|heat| heat.is_finite()).map_or(usual, |heat| heat.clamp(0.0, 4.0));
-    let plan =
-        compose(&candidates, &photos, order, (heat, request.prefer.as_ref().map(|_| DRAWN)), &mut random)
-            .ok_or_else(|| Error::UnknownLayout("any".into()))?;
+    let plan = compose(&candidates, &photos, order, heat, &mut random)
+        .ok_or_else(|| Error::UnknownLayout("any".into()))?;
     let stage = &stages[plan.candidate];
     let whole = if shows_whole(request) { whole_photos(request, stage, &plan, free)? } else { None };
     let (stage, assigned) =
@@ -210,11 +209,6 @@ fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
                 stages.push(stage(merges, drawn.prior));
             }
         }
-    }
-    if let Some(layout) = &request.prefer {
-        let template = layout.template()?;
-        let place = (DRAWN, layouts::weight(template.family()));
-        stages.push(Stage::new(request, layout.clone(), &template, Vec::new(), false, place));
     }
     Ok(stages)
 }

@@ -106,18 +106,14 @@ impl Score {
     }
 }
 
-/// Minimum score gap at which another layout replaces the preferred one.
-const SLACK: f64 = 0.4;
-
 /// The plan of a page. `heat` is 1 for a usual draw and more for a bolder one, 0 for the best. Returns `None`
-/// without candidates or photos. `wanted`: index of the preferred layout, which another one replaces
-/// only if it is clearly better.
+/// without candidates or photos.
 #[must_use]
 pub fn compose(
     candidates: &[&Candidate],
     photos: &Photos,
     order: Order,
-    (heat, wanted): (f64, Option<usize>),
+    heat: f64,
     random: &mut Rand64,
 ) -> Option<Plan> {
     if photos.all.is_empty() {
@@ -146,9 +142,7 @@ pub fn compose(
     for at in best_first(&ratings) {
         let (_, candidate, chosen) = &best[at];
         let family = candidates[*candidate].family;
-        if wanted == Some(candidates[*candidate].layout) {
-            // The preferred layout is always a finalist.
-        } else if plans.len() >= finalists
+        if plans.len() >= finalists
             || families.iter().filter(|known| **known == family).count() == OF_A_FAMILY
         {
             continue;
@@ -161,11 +155,6 @@ pub fn compose(
     }
     let ratings: Vec<f64> = plans.iter().map(|plan| plan.score.total()).collect();
     let order = best_first(&ratings);
-    let stays =
-        wanted.and_then(|wanted| plans.iter().position(|plan| candidates[plan.candidate].layout == wanted));
-    if let Some(at) = stays.filter(|&at| ratings[at] > ratings[order[0]] - SLACK) {
-        return Some(plans.swap_remove(at));
-    }
     let weight = |(rank, &at): (usize, &usize)| {
         let worse = ratings[order[0]] - ratings[at];
         (-(rank as f64 / FALL + worse / WORSE) / heat.max(1e-3)).exp()
