@@ -7,7 +7,7 @@ import type { PageDocument, Word } from '../engine/types.ts';
 import type { Planner } from '../document/store.ts';
 import type { Spoken } from './shots.ts';
 
-/** As in `crates/engine/src/document/listing.rs`: the weight of the horizontal position against the vertical one. */
+/** As in `crates/engine/src/page/words/layout.rs`: the weight of the horizontal position against the vertical one. */
 const SLANT = 0.3;
 /** The kind of text of each field. */
 const KINDS: Readonly<Record<keyof Spoken, Word['kind']>> = {

@@ -6,12 +6,10 @@ use super::project::TrayItem;
 use super::shots::{Board, numbers, ordered};
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::page::Document;
+use crate::page::words::layout::SLANT;
 use crate::page::words::wording::read;
 use crate::page::words::{TextItem, TextKind};
 use std::collections::{HashMap, HashSet};
-
-/// Weight of the horizontal position against the vertical one in the order of text.
-const SLANT: f64 = 0.3;
 
 /// A photo on the pages. `said`: the text of its panels, in the order of [`KINDS`].
 struct Shown {

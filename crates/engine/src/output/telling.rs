@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::layout::{Bounds, Point, ResolvedShape, reading_order};
 use crate::page::Document;
 use crate::page::words::Letters;
-use crate::page::words::layout::{Ground, Laid, extent, lay_all, panel_of, reading};
+use crate::page::words::layout::{Ground, Laid, extent, panel_of, reading};
 use crate::page::words::model::Kind;
 use crate::page::words::wording::{read, said_apart};
 use std::f64::consts::{PI, TAU};
@@ -146,7 +146,7 @@ pub(super) fn told(
             words: Vec::new(),
         });
     }
-    let laid = lay_all(document, letters)?;
+    let laid = ground.lay_all(document, letters);
     for word in reading(&laid, &ground) {
         let Some(at) = panel_of(&laid[word], &ground) else { continue };
         panels[at].words.extend(told_word(word, &laid[word], scale));

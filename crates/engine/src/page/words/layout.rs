@@ -15,7 +15,7 @@ use serde_json::Value;
 
 /// Text items of a panel are read from top to bottom. The left one of two items comes first if it is lower by
 /// less than this part of their horizontal distance.
-const SLANT: f64 = 0.3;
+pub const SLANT: f64 = 0.3;
 
 /// A text item with its position.
 pub struct Laid {
@@ -152,6 +152,15 @@ impl Ground {
         }
     }
 
+    /// Lays out all text items of the document of this ground.
+    #[must_use]
+    pub fn lay_all(&self, document: &Document, letters: &Letters) -> Vec<Laid> {
+        let mut all: Vec<Laid> =
+            document.effective_words().into_iter().map(|word| self.lay(word, letters)).collect();
+        join(&mut all);
+        all
+    }
+
     /// Sets a text item, see [`TextItem::effective`], and computes its position. It never leaves the page.
     #[must_use]
     pub fn lay(&self, word: TextItem, letters: &Letters) -> Laid {
@@ -235,11 +244,7 @@ pub fn lay_all(document: &Document, letters: &Letters) -> Result<Vec<Laid>> {
     if document.words.is_empty() {
         return Ok(Vec::new());
     }
-    let ground = Ground::new(document)?;
-    let mut all: Vec<Laid> =
-        document.effective_words().into_iter().map(|word| ground.lay(word, letters)).collect();
-    join(&mut all);
-    Ok(all)
+    Ok(Ground::new(document)?.lay_all(document, letters))
 }
 
 /// Returns the balloon that each text item is linked to.
@@ -357,9 +362,13 @@ pub struct WordBox {
 /// # Errors
 /// As [`lay_all`].
 pub fn measured(document: &Document, letters: &Letters) -> Result<Vec<WordBox>> {
-    let all = lay_all(document, letters)?;
+    if document.words.is_empty() {
+        return Ok(Vec::new());
+    }
+    let ground = Ground::new(document)?;
+    let all = ground.lay_all(document, letters);
     let mut turns = vec![0; all.len()];
-    for (turn, index) in reading(&all, &Ground::new(document)?).into_iter().enumerate() {
+    for (turn, index) in reading(&all, &ground).into_iter().enumerate() {
         turns[index] = turn;
     }
     let boxes = all.into_iter().zip(turns).map(|(laid, turn)| {
