@@ -10,11 +10,14 @@ import { damageOf, isClipped } from './damage.ts';
 import { PLAIN } from '../photos/cover.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
+import type { Explored } from '../engine/protocol.ts';
 import type { Scheduler } from '../engine/scheduler.ts';
 import type { Style } from '../engine/types.ts';
 
 export type Inventions = ReturnType<typeof createInventions>;
 type Tried = { id: string; width: number; height: number };
+/** By photo id. */
+type Plain = Map<string, Pick<Explored, 'signature' | 'clipped'>>;
 
 /** The longer side of a picture that is judged, and the photos that each style is judged on. */
 const SIDE = 448;
@@ -67,9 +70,10 @@ export function createInventions({
 
   async function fill(stop: AbortSignal) {
     const photos = tried();
+    const plain: Plain = new Map();
     try {
       for (let count = 0; photos.length > 0 && count < TRIES && ready.peek().length < READY; count += PARCEL) {
-        const good = await parcel(photos, stop);
+        const good = await parcel(photos, plain, stop);
         if (stop.aborted) return;
         ready.value = [...ready.peek(), ...good];
       }
@@ -78,23 +82,32 @@ export function createInventions({
     }
   }
 
-  /** @returns the good styles of a new batch, on all photos */
-  async function parcel(photos: readonly Tried[], stop: AbortSignal): Promise<Style[]> {
+  /**
+   * @param plain measurements of photos without a style. Missing ones are added
+   * @returns the good styles of a new batch, on all photos
+   */
+  async function parcel(photos: readonly Tried[], plain: Plain, stop: AbortSignal): Promise<Style[]> {
     const planner = store.planner.peek();
     if (!planner) return [];
     const [from, blocks] = [seed(), planner.blocks()];
     const all = Array.from({ length: PARCEL }, (_, i) => (from + i) >>> 0);
     let styles = all.map((at) => coloured(planner.inventStyle(at), at, blocks));
     for (const photo of photos) {
-      const all = await engine.exploreStyles(photo.id, [...styles, PLAIN], photo, { signal: stop });
-      for (const { bitmap } of all) bitmap.close();
-      const plain = all.find(({ index }) => index === styles.length);
-      const explored = all.filter((one) => one !== plain);
+      const asked = plain.has(photo.id) ? styles : [...styles, PLAIN];
+      const explored = await engine.exploreStyles(photo.id, asked, photo, { signal: stop });
+      for (const { bitmap } of explored) bitmap.close();
+      const own = plain.get(photo.id) ?? explored.find(({ index }) => index === styles.length);
+      if (own) plain.set(photo.id, own);
       const meta = store.album.peek().get(photo.id)?.meta;
       const isWhole = (signature?: Uint8Array) =>
-        !meta || !signature || damageOf(meta, signature, plain?.signature) === '';
+        !meta || !signature || damageOf(meta, signature, own?.signature) === '';
       const good = explored.filter(
-        (one) => one.fault === '' && one.score >= LEAST && isWhole(one.signature) && !isClipped(one, plain?.clipped),
+        (one) =>
+          one.index < styles.length &&
+          one.fault === '' &&
+          one.score >= LEAST &&
+          isWhole(one.signature) &&
+          !isClipped(one, own?.clipped),
       );
       styles = good.map(({ index }) => styles[index]);
       if (styles.length === 0) return [];
