@@ -78,7 +78,7 @@ export function createNarrating({
     const pages = sheetsOf(store.project.peek()).flatMap(({ page }, at) => {
       const words = page.words ?? [];
       if (!words.some(({ made, book }) => made && !book)) return [];
-      // Next to text of the user there are no new captions.
+      // A page with text of the user gets no new captions.
       const next = (plain(page).words ?? []).length === 0 ? narrated(page, at) : unlocated(page);
       const isSame = JSON.stringify(textsOf(next)) === JSON.stringify(textsOf(page));
       return isSame ? [] : [{ at, page: settled(next, [...(next.words ?? []).keys()]) }];

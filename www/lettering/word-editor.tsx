@@ -106,7 +106,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
   );
 }
 
-/** Moves the field below an effect; if there is no space, above it. */
+/** Moves the field below an effect, or above it near the end of the page. */
 function moveBeside(area: HTMLTextAreaElement, page: HTMLElement, { x, y, width, height }: WordBox) {
   const { style, offsetHeight } = area;
   const [top, bottom] = [y * page.clientWidth - GAP, (y + height) * page.clientWidth + GAP];

@@ -93,7 +93,7 @@ const SURROUNDINGS: f32 = 0.1;
 const DRAWN: (f32, f32) = (180.0, 330.0);
 /// Depth of a feature of a drawn face, relative to the photo: eyes and a mouth, and teeth and the whites of eyes.
 const DEEPER: (f32, f32) = (1.5, 1.0);
-/// Differences of a pixel from its surroundings between which it becomes a feature, in grey levels, and the largest change.
+/// A pixel becomes a feature between these differences from its surroundings. The largest change of a pixel. In grey levels.
 const DETAILS: (f32, f32) = (3.0, 12.0);
 const MOST_DETAIL: f32 = 80.0;
 /// How much darker than its surroundings a pixel is that gets no ink, and all ink, in grey levels.

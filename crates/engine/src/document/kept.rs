@@ -374,6 +374,10 @@ fn same_items<'a, T: PartialEq + 'a>(
     }
 }
 
+fn edited_page(state: &Project) -> Option<&Arc<Document>> {
+    state.pages.edited().map(|sheet| &sheet.page)
+}
+
 /// Writes states. It finds parts of existing tables by their addresses.
 #[derive(Default)]
 pub(super) struct Interner {
@@ -451,10 +455,9 @@ impl Interner {
         if fresh(&|was| same(&was.settings, &state.settings)) {
             self.part(out.key("settings"), SETTINGS, &state.settings, &|_, out, settings| out.put(settings));
         }
-        let page = |state: &'_ Project| state.pages.edited().map(|sheet| sheet.page.clone());
-        if fresh(&|was| same_option(page(was).as_ref(), page(state).as_ref())) {
-            match state.pages.edited() {
-                Some(sheet) => self.page(out.key("page"), &sheet.page),
+        if fresh(&|was| same_option(edited_page(was), edited_page(state))) {
+            match edited_page(state) {
+                Some(page) => self.page(out.key("page"), page),
                 None => out.key("page").null(),
             }
         }

@@ -176,7 +176,7 @@ pub struct Pages {
     list: List<Sheet>,
     /// Index of the edited page; 0 without pages.
     active: usize,
-    /// Page id and sheet of the last edited page, if there are no pages. The next page continues its versions.
+    /// Without pages: page id and sheet of the last edited page. The next page continues its versions.
     left: (u64, u64),
 }
 
@@ -263,7 +263,7 @@ impl Pages {
         self.list.get(self.active)
     }
 
-    /// Page id and sheet of the edited page, or of the last one if there are no pages.
+    /// Page id and sheet of the edited page. Without pages, those of the last edited page.
     pub(super) fn ids(&self) -> (u64, u64) {
         self.edited().map_or(self.left, |sheet| (sheet.page_id, sheet.sheet))
     }

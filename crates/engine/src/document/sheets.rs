@@ -15,7 +15,7 @@ impl Project {
         self.pages.edited().map(|sheet| &*sheet.page)
     }
 
-    /// Id of the edited page in the page history, or of the last one if there are no pages.
+    /// Id of the edited page in the page history. Without pages, the id of the last edited page.
     #[must_use]
     pub fn page_id(&self) -> u64 {
         self.pages.ids().0
