@@ -110,7 +110,7 @@ test('the wall is walked, favoured, bred and used by keyboard alone', async ({ p
   await page.keyboard.press('Enter');
   await page.getByRole('button', { name: 'Generate' }).focus();
   await page.keyboard.press('Enter');
-  await expect.poll(() => wall(page).count()).toBeGreaterThan(12);
+  await expect.poll(() => wall(page).count(), { intervals: [100] }).toBeGreaterThan(12);
   await page.getByRole('button', { name: 'Stop' }).focus();
   await page.keyboard.press('Enter');
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
@@ -166,7 +166,7 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
   test(`axe finds nothing in the explorer, in ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await explore(page);
-    await page.getByRole('button', { name: 'Stop' }).click();
+    await expect(region(page)).toHaveAttribute('aria-busy', 'false');
     await deed(page, 0, 'Combine');
     await accessible(page);
   });
