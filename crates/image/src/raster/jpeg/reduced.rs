@@ -7,7 +7,7 @@
 //! longer developed and ten times as large.
 
 use super::header::{Header, segment};
-use super::huffman::{Bits, Table, ZEROS};
+use super::huffman::{Bits, Steps, Table, ZEROS};
 use super::{APP14, END_OF_IMAGE, START_OF_SCAN};
 use crate::simd::dct::{Block, inverse};
 
@@ -63,6 +63,13 @@ pub(super) fn reduced(bytes: &[u8], longest: usize) -> Option<Reduced> {
         Some((made(component.blocks.0, unit.0)?, made(component.blocks.1, unit.1)?, largest))
     };
     let samples: Vec<_> = (0..header.components.len()).map(samples).collect::<Option<_>>()?;
+    // Of a block with one sample only the first coefficient is needed.
+    let steps: Vec<_> = (header.components.iter().zip(&samples))
+        .map(|(component, &(wide, high, _))| {
+            let others = header.others.get(component.tables.1)?.as_ref()?;
+            Some((wide * high == 1).then(|| Steps::new(others)))
+        })
+        .collect::<Option<_>>()?;
     let (width, height) = (units.0 * unit.0 * of_eight, units.1 * unit.1 * of_eight);
     let mut planes = vec![vec![0; width * height]; header.components.len()];
     let mut lasts = [0i32; 4];
@@ -74,8 +81,8 @@ pub(super) fn reduced(bytes: &[u8], longest: usize) -> Option<Reduced> {
             lasts = [0; 4];
         }
         let place = (index % units.0, index / units.0);
-        for (((component, plane), last), &(wide, high, largest)) in
-            header.components.iter().zip(&mut planes).zip(&mut lasts).zip(&samples)
+        for ((((component, plane), last), &(wide, high, largest)), steps) in
+            header.components.iter().zip(&mut planes).zip(&mut lasts).zip(&samples).zip(&steps)
         {
             let quantization = header.quantizations.get(component.quantization)?.as_ref()?;
             let first = header.firsts.get(component.tables.0)?.as_ref()?;
@@ -90,7 +97,10 @@ pub(super) fn reduced(bytes: &[u8], longest: usize) -> Option<Reduced> {
                     return None;
                 }
                 block[0][0] = *last as f32 * quantization[0];
-                let end = coefficients(&mut bits, others, quantization, &mut block)?;
+                let end = match steps {
+                    Some(steps) => bits.pass(others, steps).filter(|()| bits.sufficed()).map(|()| 0)?,
+                    None => coefficients(&mut bits, others, quantization, &mut block)?,
+                };
                 let out = &mut plane[y * high * width + x * wide..];
                 if end == 0 {
                     let value = (block[0][0] / 8.0 + 128.5) as u8;
