@@ -4,6 +4,7 @@
 use std::fs;
 
 use inkpanel_engine::Error;
+use inkpanel_engine::page::import::{DRAFT_SIDE, import, import_draft};
 use inkpanel_engine::raster::decode::{Limits, decode, decode_fit, decode_reduced};
 use proptest::prelude::*;
 use serde::Deserialize;
@@ -202,6 +203,22 @@ fn a_reduced_photo_is_the_whole_one_made_smaller() {
             let (mean, most) = difference(&reduced.image.to_rgb(), &whole.image.to_rgb());
             assert!(mean < 1.5 && most > 0, "{name} at {longest}: {mean} in the mean");
         }
+    }
+}
+
+#[test]
+fn a_draft_is_a_smaller_copy_of_a_large_file() {
+    let bytes = fs::read(crate::root("www/public/samples/11-giraffe.jpg")).unwrap();
+    let draft = import_draft("p", &bytes, &Limits::default()).unwrap().unwrap();
+    let photo = import("p", &bytes, &Limits::default()).unwrap();
+    assert_eq!(draft.work.width().max(draft.work.height()), DRAFT_SIDE);
+    assert_eq!((draft.meta.width, draft.meta.height), (photo.meta.width, photo.meta.height));
+    let bits = (draft.measures.fingerprint ^ photo.measures.fingerprint).count_ones();
+    assert!(bits <= 2, "{bits} bits of the fingerprint differ");
+    // Other formats, and files that are not much larger.
+    for name in ["jpeg-progressive.jpg", "png-bits.png"] {
+        let bytes = fs::read(crate::root(format!("tests/oracles/data/files/{name}"))).unwrap();
+        assert!(import_draft("p", &bytes, &Limits::default()).unwrap().is_none(), "{name}");
     }
 }
 

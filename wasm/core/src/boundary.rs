@@ -26,7 +26,7 @@ use inkpanel_engine::json::plain as parse;
 use inkpanel_engine::layout::Template;
 use inkpanel_engine::page::compose::{Sheet, compose, render_together};
 use inkpanel_engine::page::cutout::cut_out;
-use inkpanel_engine::page::import::{Imported, import};
+use inkpanel_engine::page::import::{Imported, import, import_draft};
 use inkpanel_engine::page::rect::PixelRect;
 use inkpanel_engine::page::{Document, StyleRef};
 use inkpanel_engine::page::{Scene, catalogue, png};
@@ -184,6 +184,12 @@ impl Studio {
     pub fn import_photo(&mut self, id: &str, bytes: &[u8]) -> Result<String> {
         let photo = import(id, bytes, &Limits::default())?;
         self.take_in(photo)
+    }
+
+    /// Like `import_photo` at a smaller size, for large JPEG files. Returns `undefined` for other files.
+    pub fn import_draft(&mut self, id: &str, bytes: &[u8]) -> Result<Option<String>> {
+        let photo = import_draft(id, bytes, &Limits::default())?;
+        photo.map(|photo| self.take_in(photo)).transpose()
     }
 
     /// The red, green and blue planes of a photo, one after the other.
