@@ -56,6 +56,7 @@ export function Stage() {
         subjectOf: (document, photo) => (drawsParts(store, document) ? store.masks.peek().get(photo) : undefined),
         modelsOf: ({ style }) => modelsOf(ownPainters.models.peek(), style),
         thumbnailOf: (id) => store.thumbnails.peek().get(id),
+        isDraft: engine.isDraft,
         hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
       },
       onPainted: (document, whole) => {

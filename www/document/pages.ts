@@ -160,10 +160,10 @@ export function createPages(
 
   /**
    * Plans the page again after the photos in use changed, with as few changes as possible.
-   * @param how whether there are more photos than before, and the undo step
+   * @param how whether there are more photos than before, and the undo step or none
    */
-  function refit({ grow, gesture }: { grow: boolean; gesture?: string }) {
-    edit({ type: 'refit', grow, draw: draw(), gesture });
+  function refit({ grow, ...step }: { grow: boolean; gesture?: string; silent?: true }) {
+    edit({ type: 'refit', grow, draw: draw(), ...step });
   }
 
   /**

@@ -149,6 +149,8 @@ export function fakeApp(
         { damaged: { missing: 0.124, coarse: 0 }, coarse: { missing: 0, coarse: 0.001 } }[odd[name] as string] ?? null;
       return { ...unreadMeta(id), damage, measures: { twin: odd[name] === 'twin' ? 1 : 0 } };
     },
+    importDraft: () => null,
+    isDraft: () => false,
     forgetPhoto: () => {},
   } as any;
   const reading = createReading({ store, pages, engine, messages, detects });

@@ -11,6 +11,7 @@ function studio() {
   const there = new Set<string>();
   const work = {
     there,
+    import_draft: (id: string, bytes: Uint8Array) => (bytes.length === 0 ? undefined : work.import_frame(id)),
     import_frame: (id: string) => {
       for (const tier of ['work', 'small']) there.add(`${id}/${tier}`);
       const size = { width: 5, height: 5 };
@@ -19,7 +20,11 @@ function studio() {
     take_file: () => new Uint8Array(10),
     photo_planes: () => new Uint8Array(100),
     has_photo: (key: string) => there.has(key),
-    put_photo: (key: string) => there.add(key),
+    put: [] as string[],
+    put_photo: (key: string) => {
+      work.put.push(key);
+      there.add(key);
+    },
     drop_photo: (key: string) => there.delete(key),
     know_subject: () => {},
     render_panel: () => [{ x: 0, y: 0, width: 1, height: 1, take: () => new Uint8ClampedArray(4), free: () => {} }],
@@ -43,4 +48,24 @@ it('holds few of the frames of a film that nobody shows, and those that are show
   work.drop_photo('g/work');
   await operations.front({ document: '{}', pictures: [0], width: 10, tier: 'work', photos: [again.work] }, slow);
   expect(work.there.has('g/work')).toBe(true);
+});
+
+it('replaces a draft by the photo when a picture of it is wanted, and not the other way round', async () => {
+  const work = studio();
+  const operations = createOperations(work as unknown as Studio, createLru(1000), createLru(400));
+  const small = (await operations.draft({ id: 'a', file: new Blob([]) }, slow)).ok;
+  expect(small).toBe(null);
+  const { work: draft } = (await operations.draft({ id: 'a', file: new Blob(['x']) }, slow)).ok as Imported;
+  expect(draft).toMatchObject({ key: 'a/work', draft: true });
+  const drawn = (photo: Imported['work']) =>
+    operations.front({ document: '{}', pictures: [0], width: 10, tier: 'work', photos: [photo] }, slow);
+  await drawn(draft);
+  expect(work.put).toEqual([]);
+  // Another worker has read the photo.
+  const { draft: _, ...photo } = draft;
+  await drawn(photo);
+  expect(work.put).toEqual(['a/work']);
+  await drawn(photo);
+  await drawn(draft);
+  expect(work.put).toEqual(['a/work']);
 });

@@ -28,8 +28,12 @@ type Lru = ReturnType<typeof createLru>;
  * @param passing photos that are video frames and not shown yet: a long video has a hundred, a page shows a few
  */
 export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<Operations> {
+  /** Keys of photos of which the studio has only a draft. */
+  const drafts = new Set<string>();
+
   return {
     import: importPhoto,
+    draft: importDraft,
     importFrame,
     smallFrame,
     living,
@@ -53,9 +57,24 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     const bytes = await bytesOf(file);
     const { entry, told } = await read(id, bytes);
     detach(bytes);
+    for (const key of keysOf(id)) drafts.delete(key);
     const { meta, ...photo } = await kept(entry, held);
     evict([]);
     return { ok: { ...photo, meta: { ...meta, ...told } }, transfer: [] };
+  }
+
+  async function importDraft({ id, file }: Operations['draft']['args']) {
+    const bytes = await bytesOf(file);
+    const entry = studio.import_draft(id, bytes);
+    detach(bytes);
+    if (entry === undefined) return { ok: null, transfer: [] };
+    for (const key of keysOf(id)) drafts.add(key);
+    const { meta, work, small } = await kept(JSON.parse(entry), held);
+    evict([]);
+    return {
+      ok: { meta, work: { ...work, draft: true as const }, small: { ...small, draft: true as const } },
+      transfer: [],
+    };
   }
 
   /** @param bytes of the file */
@@ -217,11 +236,14 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
   /** Reads missing photos into the studio. */
   async function fetchPhotos(photos: PhotoHandle[]) {
     await Promise.all(
-      photos.map(async ({ key, width, height, planes, mask }) => {
-        if (!studio.has_photo(key)) {
+      photos.map(async ({ key, width, height, planes, mask, draft }) => {
+        if (!studio.has_photo(key) || (drafts.has(key) && !draft)) {
           const bytes = await bytesOf(planes);
+          studio.drop_photo(key);
           studio.put_photo(key, width, height, bytes);
           detach(bytes);
+          if (draft) drafts.add(key);
+          else drafts.delete(key);
         }
         studio.know_subject(key, mask);
         passing.forget(key);
@@ -235,6 +257,10 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     const isNeeded = (key: string) => needed.includes(key);
     for (const key of [...held.evict(isNeeded), ...passing.evict(isNeeded)]) studio.drop_photo(key);
   }
+}
+
+function keysOf(id: string): string[] {
+  return [`${id}/work`, `${id}/small`];
 }
 
 async function bytesOf(blob: Blob): Promise<Uint8Array<ArrayBuffer>> {

@@ -16,6 +16,8 @@ export function createPhotos() {
   return {
     add: (id: string, entry: Entry) => void entries.set(id, entry),
     has: (id: string) => entries.has(id),
+    /** Whether only a draft of the photo is there. */
+    isDraft: (id: string) => entries.get(id)?.work.draft === true,
     forget: (id: string) => {
       entries.delete(id);
       masks.delete(id);

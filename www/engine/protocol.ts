@@ -22,9 +22,10 @@ import type { Frame } from './video.ts';
 
 /**
  * Data of a photo for drawing. `key` is `ID/work` or `ID/small`. `planes` holds the red, green and blue planes in
- * sequence, `width * height` bytes each. `mask` is the subject mask as text, if known.
+ * sequence, `width * height` bytes each. `mask` is the subject mask as text, if known. A `draft` is a smaller copy until
+ * the photo is imported.
  */
-export type PhotoHandle = { key: string; width: number; height: number; planes: Blob; mask?: string };
+export type PhotoHandle = { key: string; width: number; height: number; planes: Blob; mask?: string; draft?: true };
 
 /** A rendered rectangle of a page, in page pixels. */
 export type BitmapPatch = Bounds & { bitmap: ImageBitmap };
@@ -42,6 +43,8 @@ export type Start = { program: Program; budget: number };
 /** Its operations. */
 export type Operations = {
   import: { args: { id: string; file: Blob }; ok: Imported };
+  /** a smaller copy of a large JPEG file; null for other files */
+  draft: { args: { id: string; file: Blob }; ok: Imported | null };
   importFrame: { args: { id: string; frame: Omit<Frame, 'index' | 'time'> }; ok: Imported & { file: Blob } };
   /** a frame upright and small */
   smallFrame: { args: { frame: Omit<Frame, 'index' | 'time'>; longest: number }; ok: PixelPatch };

@@ -16,6 +16,7 @@ export const LONG = 300_000;
 
 const LIMITS: Partial<Record<Operation, number>> = {
   import: MEDIUM,
+  draft: MEDIUM,
   importFrame: MEDIUM,
   living: MEDIUM,
   page: MEDIUM,

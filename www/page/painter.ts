@@ -39,6 +39,7 @@ export function createPainter(
     engine: Pick<Engine, 'renderPictures' | 'hasPhoto'> & {
       subjectOf?: (document: PageDocument, photo: string) => string | undefined;
       modelsOf?: (document: PageDocument) => string;
+      isDraft?: (photo: string) => boolean;
       /** A small image of a photo that is not read yet. */
       thumbnailOf?: (photo: string) => ExifThumbnail | undefined;
     };
@@ -47,7 +48,7 @@ export function createPainter(
     onError: (error: Error & { code?: string }) => void;
   },
 ) {
-  const patches = createPatches(engine.renderPictures, engine.subjectOf, engine.modelsOf);
+  const patches = createPatches(engine.renderPictures, engine.subjectOf, engine.modelsOf, engine.isDraft);
   let sheet: Sheet | null = null;
   /** The content of the canvas. */
   let visible: Sheet | null = null;

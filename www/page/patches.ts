@@ -28,11 +28,13 @@ const BUDGET = 96 * 2 ** 20;
 /**
  * @param subjectOf the subject mask of a photo, if the style of the page uses it
  * @param modelsOf the models of the user that the style of the page uses
+ * @param isDraft whether only a smaller copy of a photo was read
  */
 export function createPatches(
   render: Engine['renderPictures'],
   subjectOf: (document: PageDocument, photo: string) => string | undefined = () => undefined,
   modelsOf: (document: PageDocument) => string = () => '',
+  isDraft: (photo: string) => boolean = () => false,
 ) {
   /** Oldest first. */
   const kept: Map<string, Patch> = new Map();
@@ -63,7 +65,7 @@ export function createPatches(
       photo,
       crop,
       faces,
-      photo === null ? null : subjectOf(document, photo),
+      photo === null ? null : [subjectOf(document, photo), isDraft(photo)],
       geometry.panels[index],
       shapes,
       geometry.panels.filter(({ overlay }) => !overlay).length,

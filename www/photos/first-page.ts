@@ -23,16 +23,21 @@ const FACE_WAIT = 1500;
 const PATIENCE = 250;
 const ALL_NEW = Object.freeze({ layout: false, style: false, photos: false });
 
-/** `facesReady`: whether face detection can start immediately; `detects`: whether faces are detected at all */
+/**
+ * `facesReady`: whether face detection can start immediately; `isDraft`: whether only a smaller copy of a photo was
+ * read; `detects`: whether faces are detected at all
+ */
 export function createFirstPage({
   store,
   pages,
   facesReady = () => true,
+  isDraft = () => false,
   detects = false,
 }: {
   store: Store;
   pages: Pick<Pages, 'plan' | 'show' | 'compose'>;
   facesReady?: () => boolean;
+  isDraft?: (id: string) => boolean;
   detects?: boolean;
 }) {
   /** Whether its photos are being read, or planning is about to start. Not while photos replace others. */
@@ -59,7 +64,7 @@ export function createFirstPage({
     // If the timer runs, there were enough photos before, and planning them again takes time.
     const enough = timer.runs || isEnough(read);
     // The wait ends when all photos are read.
-    const soon = restOf(read.size) <= PATIENCE;
+    const soon = restOf(read.size) <= PATIENCE && ![...read].some(isDraft);
     // A video is read for long, so its first page waits longer for faces.
     const patience = detects && areFrames(read) ? FACE_WAIT : facesReady() ? WAIT : LONGER_WAIT;
     if (enough && !timer.runs) timer.start(soon ? 2 * PATIENCE : patience, compose);

@@ -70,7 +70,7 @@ export function createFrames({
         },
         onPhoto: (id, meta, time, shot) => {
           got += 1;
-          intake.arrived(id, meta, { name: strings.frameName(file.name, time), video: key, time, shot });
+          intake.arrived(id, meta, { more: { name: strings.frameName(file.name, time), video: key, time, shot } });
           intake.count(1, 0);
         },
       });

@@ -41,8 +41,8 @@ export function createIntake({
   prefix = 'p',
 }: {
   store: Store;
-  pages: Pick<Pages, 'refine'>;
-  engine: Pick<Engine, 'importPhoto'>;
+  pages: Pick<Pages, 'refine' | 'refit'>;
+  engine: Pick<Engine, 'importPhoto' | 'importDraft' | 'forgetPhoto'>;
   messages: Pick<Messages, 'alert' | 'fileFailed'>;
   prefix?: string;
 }) {
@@ -63,12 +63,19 @@ export function createIntake({
 
   async function readPhoto(id: string, file: File, signal: AbortSignal) {
     store.originals.set(id, file);
-    const priority = isShown(id) ? Priority.PAGE : Priority.REST;
+    const draft =
+      store.sketch.peek() && isShown(id) ? engine.importDraft(id, file, { priority: Priority.PAGE, signal }) : null;
+    const drafted = draft !== null && (await showDraft(id, draft));
     let last = false;
-    let read = await engine.importPhoto(id, file, { priority, signal }).then(
+    // A photo on the page is read even if the user cancels.
+    const call = drafted
+      ? { priority: Priority.VIEW }
+      : { priority: isShown(id) ? Priority.PAGE : Priority.REST, signal };
+    let read = await engine.importPhoto(id, file, call).then(
       (meta) => ({ meta }),
       async (error) => ({ error: await explained(file, error) }),
     );
+    if ('error' in read && drafted) forgetDraft(id);
     if ('error' in read && store.album.peek().get(id)?.meta) {
       failed(file, read.error);
       read = await emptyFrame(id).then(
@@ -79,12 +86,13 @@ export function createIntake({
     await together(isShown(id), () => {
       try {
         if ('error' in read) throw read.error;
-        arrived(id, read.meta);
+        arrived(id, read.meta, { drafted });
       } catch (error) {
         failed(file, error);
       }
       store.originals.delete(id);
       leaveOut([id]);
+      if (drafted && 'error' in read && !store.sketch.peek()) pages.refit({ grow: false, silent: true });
       last = isLast();
       if (!last) count(1, 0);
     });
@@ -92,6 +100,23 @@ export function createIntake({
     // The next step is as much work as drawing the last photo, so it is a separate task.
     await nextTask();
     count(1, 0);
+  }
+
+  /**
+   * Notes a smaller copy of a photo, so that the first page appears earlier.
+   * @returns whether there is one
+   */
+  async function showDraft(id: string, draft: Promise<Imported['meta'] | null>): Promise<boolean> {
+    const meta = await draft;
+    if (meta) arrived(id, meta);
+    return meta !== null;
+  }
+
+  /** Forgets a draft whose photo cannot be read. */
+  function forgetDraft(id: string) {
+    const fact = store.album.peek().get(id);
+    if (fact) store.know({ ...fact, meta: null, measures: null });
+    engine.forgetPhoto(id);
   }
 
   /** Replaces a photo that can no longer be read by an empty frame, which keeps its place. */
@@ -132,19 +157,30 @@ export function createIntake({
     batch(() => all.forEach((tell) => tell()));
   }
 
-  function arrived(id: string, { damage, ...meta }: Imported['meta'], more?: Partial<Fact>) {
+  /** @param how `more` facts; `drafted`: whether the photo replaces its draft */
+  function arrived(
+    id: string,
+    { damage, ...meta }: Imported['meta'],
+    { more, drafted = false }: { more?: Partial<Fact>; drafted?: boolean } = {},
+  ) {
     const fact = store.album.peek().get(id);
     // A frame of a video that is no longer wanted.
     if (!fact) return;
     // The person knows of a photo that is read again.
-    if (damage && !fact.meta) reportDamage(fact.name, damage);
-    store.know({ ...fact, ...knownOf(fact, meta), ...more });
+    if (damage && (drafted || !fact.meta)) reportDamage(fact.name, damage);
+    store.know({ ...fact, ...(drafted ? replacing(fact, meta) : knownOf(fact, meta)), ...more });
     if (isShown(id) && !store.sketch.peek()) pages.refine();
   }
 
   function reportDamage(name: string, { missing, coarse }: Damage) {
     const share = strings.percent(Math.max(0.01, missing || coarse));
     messages.alert(missing > 0 ? strings.photoDamaged({ name, share }) : strings.photoCoarse({ name, share }));
+  }
+
+  /** The measurements that replace those of a draft. Faces that were found in it stay until they are found again. */
+  function replacing({ meta: draft }: Fact, meta: Omit<Imported['meta'], 'damage'>): Partial<Fact> {
+    const found = draft?.subjects.filter(({ label }) => label !== 'lettering') ?? [];
+    return { meta: { ...meta, subjects: [...found, ...meta.subjects] }, measures: meta.measures };
   }
 
   function knownOf({ meta: before, absent }: Fact, meta: Omit<Imported['meta'], 'damage'>): Partial<Fact> {

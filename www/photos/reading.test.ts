@@ -94,6 +94,40 @@ describe('the first photos', () => {
     expect(app.store.history.value.shown.length).toBe(1);
   });
 
+  test('are shown as drafts, which the photos replace', async () => {
+    const app = fakeApp({ 'b.jpg': 'bad', 'c.jpg': 'damaged' });
+    let read = () => {};
+    const arrived = new Promise<void>((resolve) => {
+      read = resolve;
+    });
+    const { importPhoto } = app.engine;
+    const signals: unknown[] = [];
+    app.engine.importDraft = async (id: string) => ({ ...unreadMeta(id), measures: { draft: 1 } });
+    app.engine.importPhoto = async (id: string, file: File, { signal }: any) => {
+      signals.push(signal);
+      await arrived;
+      return importPhoto(id, file);
+    };
+    const forgotten: string[] = [];
+    app.engine.forgetPhoto = (id: string) => forgotten.push(id);
+    const done = app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));
+    await vi.advanceTimersByTimeAsync(1_000);
+    expect(app.store.sketch.value).toBe(false);
+    expect(app.store.reading.value).toEqual({ done: 0, total: 3 });
+    expect(app.store.album.value.get('p1')?.measures).toEqual({ draft: 1 });
+    // Photos that the user sees are read in any case.
+    app.reading.cancel();
+    read();
+    await done;
+    await vi.advanceTimersByTimeAsync(1_000);
+    expect(signals).toEqual([undefined, undefined, undefined]);
+    expect(app.store.album.value.get('p1')?.measures).toEqual({ twin: 0 });
+    // A draft does not hide that its photo cannot be read or is damaged.
+    expect(forgotten).toEqual(['p2']);
+    expect(names(app).sort()).toEqual(['a.jpg', 'c.jpg']);
+    expect(alerts(app).sort()).toEqual(['b.jpg: not a photo', expect.stringContaining('c.jpg: 12%')]);
+  });
+
   test('that look like another are set aside', async () => {
     const app = fakeApp({ 'c.jpg': 'twin' });
     await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));

@@ -27,7 +27,7 @@ import type { Store } from '../document/store.ts';
 type Source = { file: File; ids: readonly string[]; video: Video | null };
 type Engine = Pick<
   import('../engine/engine.ts').Engine,
-  'importPhoto' | 'importVideo' | 'forgetPhoto' | 'ready' | 'facesReady'
+  'importPhoto' | 'importDraft' | 'isDraft' | 'importVideo' | 'forgetPhoto' | 'ready' | 'facesReady'
 >;
 export type Reading = ReturnType<typeof createReading>;
 
@@ -65,7 +65,7 @@ export function createReading({
   const intake = createIntake({ store, pages, engine, messages, prefix });
   const frames = createFrames({ store, engine, intake, messages });
   const naming = createAlbumNaming({ store, located: places?.names });
-  const firstPage = createFirstPage({ store, pages, facesReady: () => engine.facesReady(), detects });
+  const firstPage = createFirstPage({ store, pages, facesReady: engine.facesReady, isDraft: engine.isDraft, detects });
 
   return {
     addFiles,

@@ -18,8 +18,11 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
   const objects: string[] = [];
   const painted = signal(false);
   const nets = { asked: 0, ready: true };
+  /** Photos of which only a draft was read. */
+  const drafts = new Set<string>();
   const engine = {
     hasPhoto: () => true,
+    isDraft: (id: string) => drafts.has(id),
     prepareDetectors: () => {
       nets.asked += 1;
     },
@@ -44,7 +47,7 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
     onFound: made.pages.refine,
     window,
   });
-  return { ...made, subjects, painted, asked, objects, nets };
+  return { ...made, subjects, painted, asked, objects, nets, drafts };
 }
 
 const settle = () =>
@@ -99,6 +102,39 @@ describe('subjects', () => {
     scheduler.hold(false);
     await vi.waitFor(() => expect(objects).toEqual(['p1', 'p2', 'p3']));
     expect(asked).toEqual(objects);
+  });
+
+  it('looks for faces in drafts for the first page, and again in the photos that replace them', async () => {
+    const { reading, files, asked, store, engine, drafts, painted } = app(async (id) => ({
+      boxes: drafts.has(id) ? [face] : [face, dog],
+      closer: false,
+    }));
+    const { importPhoto } = engine;
+    engine.importDraft = async (id: string, file: File) => {
+      drafts.add(id);
+      return importPhoto(id, file);
+    };
+    let read = () => {};
+    const arrived = new Promise<void>((resolve) => {
+      read = resolve;
+    });
+    engine.importPhoto = async (id: string, file: File) => {
+      await arrived;
+      drafts.delete(id);
+      return importPhoto(id, file);
+    };
+    const done = reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect(asked).toEqual(['p1', 'p2']);
+    expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face]);
+    read();
+    await done;
+    expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face]);
+    store.sketch.value = false;
+    painted.value = true;
+    await settle();
+    expect(asked).toEqual(['p1', 'p2', 'p1', 'p2']);
+    expect(store.album.value.get('p2')?.meta?.subjects).toEqual([face, dog]);
   });
 
   it('tells of the photos in which it looked while there was no page', async () => {

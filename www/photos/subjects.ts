@@ -17,8 +17,11 @@ import type { Signal } from '@preact/signals';
 
 export type Subjects = ReturnType<typeof createSubjects>;
 
-/** Detected subjects of a photo. A failure counts as no result. `closer`: a look for small faces is due. */
-type Looked = { faces?: readonly Detection[]; objects?: readonly Detection[]; closer?: boolean };
+/**
+ * Detected subjects of a photo. A failure counts as no result. `closer`: a look for small faces is due. `draft`: they
+ * were found in the draft of the photo.
+ */
+type Looked = { faces?: readonly Detection[]; objects?: readonly Detection[]; closer?: boolean; draft?: boolean };
 type Lane = 'faces' | 'objects';
 
 /** Without the detectors none of the other photos can be looked at. */
@@ -40,7 +43,10 @@ export function createSubjects({
 }: {
   store: Store;
   messages: Messages;
-  engine: Pick<Engine, 'prepareDetectors' | 'facesReady' | 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto'>;
+  engine: Pick<
+    Engine,
+    'prepareDetectors' | 'facesReady' | 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto' | 'isDraft'
+  >;
   painted: () => boolean;
   onFound: () => void;
   wanted?: boolean;
@@ -127,7 +133,6 @@ export function createSubjects({
    * sketch and for the visible page are detected. A long video is read for half a minute.
    */
   function due(lane: Lane): string | undefined {
-    const looked = (id: string) => known.get(id) ?? {};
     if (store.sketch.value) return lane === 'faces' ? photos.value.find((id) => !looked(id).faces) : undefined;
     if (store.reading.value !== null) {
       const shown = photosOn(store.page.value ? [store.page.value] : []);
@@ -142,9 +147,10 @@ export function createSubjects({
     try {
       for (let id = next(lane); id !== undefined && !off.peek(); id = next(lane)) {
         count();
+        const draft = engine.isDraft(id);
         const found = await look(lane, id);
         // The other lane may have looked at the same photo meanwhile.
-        known.set(id, { ...known.get(id), ...found });
+        known.set(id, { ...looked(id), ...found, draft });
         tell(id);
         // The first page is planned on them.
         if (store.sketch.peek()) store.faced.value = new Set([...store.faced.peek(), id]);
@@ -158,8 +164,14 @@ export function createSubjects({
     }
   }
 
+  /** What was found in a photo. The result of a draft ends with the draft. */
+  function looked(id: string): Looked {
+    const found = known.get(id) ?? {};
+    return found.draft && !engine.isDraft(id) ? {} : found;
+  }
+
   function unsearched(id: string) {
-    const { faces, objects } = known.get(id) ?? {};
+    const { faces, objects } = looked(id);
     return !faces || !objects;
   }
 
@@ -183,7 +195,7 @@ export function createSubjects({
 
   /** @returns the new subjects */
   async function look(lane: Lane, id: string): Promise<Looked> {
-    const before = known.get(id)?.faces;
+    const before = looked(id).faces;
     try {
       if (lane === 'objects') return { objects: await engine.findObjects(id) };
       if (before) return { faces: await engine.findMoreFaces(id, before), closer: false };

@@ -137,6 +137,8 @@ export function fakeBrowser({
       photos,
       hasPhoto: photos.has,
       forgetPhoto: photos.forget,
+      importDraft: () => null,
+      isDraft: () => false,
       importPhoto: async (id: string, file: File) => {
         const text = await file.text();
         if (text.startsWith('bad')) throw Object.assign(new Error('not a photo'), { code: 'unknown-format' });
