@@ -1,6 +1,7 @@
 // @ts-check
 /** The first page: empty panels until its photos are measured, then a page that only the user changes. */
 
+import { readFile } from 'node:fs/promises';
 import { SIX, add, detectingTest, expect, idle, photos, picture, test } from './support.js';
 
 /** Returns the accessible descriptions of the panels. */
@@ -9,6 +10,7 @@ const shown = (/** @type {import('./support.js').Page} */ page) =>
     .locator('.stage [aria-description]')
     .evaluateAll((all) => all.map((one) => one.getAttribute('aria-description')));
 
+const ALBUM = new URL('../../../www/public/samples/', import.meta.url);
 const MORE = ['camera.jpg', 'dahlia.jpg', 'horses.jpg', 'orchestra.jpg', 'pagoda.jpg', 'palace.jpg'];
 
 test('the first page is shown when its photos are ready, and stays while other photos are read', async ({ page }) => {
@@ -19,6 +21,25 @@ test('the first page is shown when its photos are ready, and stays while other p
   expect(first).toHaveLength(6);
   await idle(page);
   expect(await shown(page)).toEqual(first);
+});
+
+test('drafts of large photos are replaced in the panels', async ({ page }) => {
+  // Comments make the files large.
+  const comment = Buffer.concat([Buffer.from([0xff, 0xfe, 0xff, 0xff]), Buffer.alloc(65_533)]);
+  const names = ['01-coffee', '04-dandelions', '06-castle', '11-giraffe'];
+  const files = names.map(async (name) => {
+    const file = await readFile(new URL(`${name}.jpg`, ALBUM));
+    const buffer = Buffer.concat([file.subarray(0, 2), ...Array(8).fill(comment), file.subarray(2)]);
+    return { name: `${name}.jpg`, mimeType: 'image/jpeg', buffer };
+  });
+  await page.goto('./');
+  await add(page, await Promise.all(files));
+  await idle(page);
+  const first = await picture(page);
+  // A stored photo has no draft.
+  await page.reload();
+  await idle(page);
+  expect(await picture(page)).toBe(first);
 });
 
 test('the first page is no undo step, and the next Shuffle is one', async ({ page }) => {
