@@ -1,5 +1,5 @@
 // @ts-check
-/** Writes the results as a Markdown table into docs/reports/benchmarks.md. */
+/** Writes the results as Markdown: a table for docs/reports/benchmarks.md, and the main numbers for README.md. */
 
 import { readFileSync, writeFileSync } from 'node:fs';
 
@@ -8,7 +8,7 @@ import { REST } from './journey.js';
 /** @typedef {import('./page/contest.js').Row} Row */
 /**
  * @typedef {{
- *   machine: { cores: number, cpu: string, browser: string, copySpeed: number },
+ *   machine: { cores: number, cpu: string, browser: string, copySpeed: number, load: number },
  *   rows: Row[], times: Record<string, Record<string, number>>, failed: Record<string, string>,
  *   versions: Record<string, string>, journey: { firstPage: number, drawn: number, decoded: number, refined: number, closer: number, shuffle: number, rested: number, hurried: { count: number, ms: number }, png: number, thumbnails: number, listed: number } | null,
  *   plans: { count: number, ms: number, first: number }[] | null,
@@ -52,7 +52,7 @@ export function markdown({
   const peers = Object.entries(PEERS);
   const heads = peers.map(([id, name]) => (versions[id] ? `${name} ${versions[id]}` : name));
   const lines = [
-    `Median milliseconds at 1920 x 1080, one thread of ${machine.cpu} (${machine.cores} cores), ${machine.browser}.`,
+    `Median milliseconds at 1920 x 1080, one thread of ${machine.cpu} (${machine.cores} cores), ${machine.browser}. Load average at the start: ${machine.load.toFixed(2)}.`,
     'Columns of other libraries show their time and the ratio to Inkpanel. wasm-vips uses all cores.',
     `The column *of copy* is the time to copy the same bytes at the measured ${(machine.copySpeed / 1e9).toFixed(1)} GB/s, divided by the time of the block.`,
     '',
@@ -193,7 +193,23 @@ function short(value) {
 }
 
 /**
- * Replaces the table between the markers.
+ * Returns the numbers of the README; empty if the page was not timed.
+ * @param {Results} results
+ */
+export function highlights({ machine, journey }) {
+  if (!journey) return '';
+  const seconds = (/** @type {number} */ ms) => (ms / 1000).toFixed(1);
+  return [
+    `Medians in Chromium on ${machine.cores} cores of ${machine.cpu}:`,
+    '',
+    `- ${seconds(journey.drawn)} seconds from twelve 12-megapixel photos to the first page.`,
+    `- ${Math.round(journey.rested)} milliseconds from Shuffle to the next page.`,
+    `- ${seconds(journey.png)} seconds for an A4 page at 300 DPI as PNG.`,
+  ].join('\n');
+}
+
+/**
+ * Replaces the text between the markers `bench:start` and `bench:end`.
  * @param {string} path
  * @param {string} table
  */

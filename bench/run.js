@@ -5,7 +5,7 @@
  */
 
 import { readFileSync, writeFileSync } from 'node:fs';
-import { cpus } from 'node:os';
+import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
@@ -19,7 +19,7 @@ import { journey } from './journey.js';
 import { making } from './making.js';
 import { masking } from './masking.js';
 import { makePhotos } from './photos.js';
-import { insert, markdown } from './report.js';
+import { highlights, insert, markdown } from './report.js';
 import { rows as allRows } from './rows.js';
 import { serve } from './server.js';
 
@@ -50,6 +50,8 @@ const album = join(options.root, 'www/public/samples');
 const PICTURES = ['noir', 'comic', 'screenprint'].map((name) => join(options.root, `docs/pages/${name}.png`));
 /** Parts that broke down. @type {string[]} */
 const broken = [];
+const started = performance.now();
+const [load] = loadavg();
 const browser = await chromium.launch(CHROMIUM);
 try {
   const results = await blocks();
@@ -92,7 +94,11 @@ try {
   if (whole && !options.alone) {
     writeFileSync(join(options.target, 'bench.json'), `${JSON.stringify(results, null, 2)}\n`);
     // A table with gaps would lose earlier values.
-    if (broken.length === 0) insert(join(options.root, 'docs/reports/benchmarks.md'), table);
+    if (broken.length === 0) {
+      insert(join(options.root, 'docs/reports/benchmarks.md'), table);
+      insert(join(options.root, 'README.md'), highlights(results));
+    }
+    console.log(`in ${Math.round((performance.now() - started) / 60_000)} minutes`);
   }
 } finally {
   await browser.close();
@@ -153,6 +159,7 @@ async function blocks() {
     machine: {
       cores: cpus().length,
       cpu: cpus()[0].model.trim(),
+      load,
       browser: `Chromium ${browser.version()}`,
       copySpeed: await page.evaluate(() => /** @type {any} */ (globalThis).bench.copySpeed()),
     },

@@ -12,7 +12,7 @@ use crate::{batch, chromium, engines, lighthouse, native, npm, site, tables, too
 /// Results of earlier runs of `bench speed`, one JSON object per line.
 const SPEED_HISTORY: &str = "docs/reports/speed-history.jsonl";
 
-/// Builds everything, then measures. With words in `filter`, only matching rows are timed, and nothing is
+/// Builds everything, then measures, and writes the table of the reports and the numbers of the README. With words in `filter`, only matching rows are timed, and nothing is
 /// written. The groups `page`, `album`, `films`, `making`, `masking`, `animatic`, `living`, `detect`,
 /// `figures` and `masks` run if they are listed. `alone` skips the other libraries. `native`, `batch`,
 /// `speed`, `engines` and `lighthouse` must be the only word.

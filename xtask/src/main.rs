@@ -70,8 +70,8 @@ enum Task {
         #[arg(long)]
         skip_default: bool,
     },
-    /// Time every block and other libraries, and the app; writes target/bench.json and
-    /// docs/reports/benchmarks.md
+    /// Time every block and other libraries, and the app; writes target/bench.json,
+    /// docs/reports/benchmarks.md and the numbers of README.md
     Bench {
         /// Time only rows whose name has one of these words, and write nothing
         rows: Vec<String>,
