@@ -9,13 +9,13 @@ async function making(
   count: number,
   {
     searched = () => true,
-    at = null,
+    at = [null],
     offered = () => false,
-  }: { searched?: () => boolean; at?: number | null; offered?: () => boolean } = {},
+  }: { searched?: () => boolean; at?: readonly (number | null)[]; offered?: () => boolean } = {},
 ) {
   const app = await opened(count);
   const ids = app.store.photos.peek().map(({ id }) => id);
-  const moments = new Map(ids.map((id) => [id, { at, place: '' }]));
+  const moments = new Map(ids.map((id, i) => [id, { at: at[i % at.length], place: '' }]));
   const bookMaking = createBookMaking({
     store: app.store,
     book: app.book,
@@ -58,12 +58,25 @@ test('the cover is known wherever it is, and plain pages have none', async () =>
 });
 
 test('the dates of a book have the format of the user', async () => {
-  const { bookMaking, pages } = await making(14, { at: Date.UTC(2026, 5, 9, 15) });
+  const { bookMaking, pages } = await making(14, { at: [Date.UTC(2026, 5, 9, 15)] });
   const made = vi.spyOn(pages, 'book');
   await bookMaking.make('one');
   expect(made.mock.calls[0][0].dates).toEqual({
     span: strings.dates(Date.UTC(2026, 5, 9), Date.UTC(2026, 5, 9)),
     days: { '2026-06-09': strings.shortDayOf(Date.UTC(2026, 5, 9)) },
+  });
+});
+
+test('the dates of a book of several years have their year', async () => {
+  const times = [Date.UTC(2023, 10, 2, 9), Date.UTC(2024, 3, 11, 15)];
+  const { bookMaking, pages } = await making(14, { at: times });
+  const made = vi.spyOn(pages, 'book');
+  await bookMaking.make('one');
+  expect(made.mock.calls[0][0].dates).toEqual({
+    span: strings.dates(Date.UTC(2023, 10, 2), Date.UTC(2024, 3, 11)),
+    days: Object.fromEntries(
+      times.map((time) => [new Date(time).toISOString().slice(0, 10), strings.dates(time, time)]),
+    ),
   });
 });
 

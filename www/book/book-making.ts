@@ -109,11 +109,16 @@ export function createBookMaking({
   }
 }
 
-/** Returns the dates of photos in the format of the user. @param times local times in milliseconds, as if they were UTC */
+/**
+ * Returns the dates of photos in the format of the user, with their years if the photos have several.
+ * @param times local times in milliseconds, as if they were UTC
+ */
 function datesOf(times: readonly (number | null)[]): BookDates {
   const known = times.filter((time) => time !== null);
   if (known.length === 0) return {};
-  const days = known.map((time) => [new Date(time).toISOString().slice(0, 10), strings.shortDayOf(time)] as const);
   const ends = [Math.min(...known), Math.max(...known)].map((time) => Math.floor(time / DAY) * DAY);
+  const isOfOneYear = new Date(ends[0]).getUTCFullYear() === new Date(ends[1]).getUTCFullYear();
+  const written = (time: number) => (isOfOneYear ? strings.shortDayOf(time) : strings.dates(time, time));
+  const days = known.map((time) => [new Date(time).toISOString().slice(0, 10), written(time)] as const);
   return { span: strings.dates(ends[0], ends[1]), days: Object.fromEntries(days) };
 }

@@ -1,5 +1,15 @@
 import { expect, test } from 'vitest';
-import { createExportChoice, hasAll, KINDS, madeOf, wayOf, WAYS, withAll, withWay } from './export-choice.ts';
+import {
+  createExportChoice,
+  hasAll,
+  KINDS,
+  madeOf,
+  shownChoice,
+  wayOf,
+  WAYS,
+  withAll,
+  withWay,
+} from './export-choice.ts';
 
 function boxOf() {
   const kept: Map<string, string> = new Map();
@@ -28,6 +38,21 @@ test('a kind begins with its last format', () => {
   expect(wayOf(choice.value)).toBe('animatic');
   choose({ ...choice.value, kind: 'comic' });
   expect(wayOf(choice.value)).toBe('cbz');
+});
+
+test('a book begins with PDF until the user chooses a format', () => {
+  const box = boxOf();
+  const made = createExportChoice(() => box as any);
+  expect(wayOf(shownChoice(made, false))).toBe('png');
+  expect(wayOf(shownChoice(made, true))).toBe('pdf');
+  expect(hasAll(shownChoice(made, true))).toBe(true);
+  made.asked.value = 'animatic';
+  expect(wayOf(shownChoice(made, true))).toBe('animatic');
+  made.asked.value = null;
+  made.choose(withWay(made.choice.value, 'jpeg'));
+  expect(wayOf(shownChoice(made, true))).toBe('jpeg');
+  const later = createExportChoice(() => box as any);
+  expect(wayOf(shownChoice(later, true))).toBe('jpeg');
 });
 
 test('documents have all pages, images have the current one, and each kind keeps the choice of the user', () => {

@@ -40,6 +40,15 @@ export function wayOf({ kind, ways }: Choice): Way {
   return ways[kind] ?? WAYS[kind][0];
 }
 
+/**
+ * Returns the choice that the dialog shows: the format that the user asked for, or the last one. A book begins with PDF if the
+ * user has not chosen a format yet.
+ */
+export function shownChoice({ choice, asked }: Pick<ExportChoice, 'choice' | 'asked'>, isBook: boolean): Choice {
+  const way = asked.value ?? (isBook && choice.value === FIRST ? 'pdf' : null);
+  return way ? withWay(choice.value, way) : choice.value;
+}
+
 /** Returns whether all pages are exported: the last choice of the user for this kind, or its default. */
 export function hasAll({ kind, every }: Choice): boolean {
   return every[kind] ?? DOCUMENTS.includes(kind);
@@ -88,7 +97,9 @@ export function createExportChoice(box: () => Pick<Storage, 'getItem' | 'setItem
 
 function read(box: () => Pick<Storage, 'getItem'>): Choice {
   try {
-    const { kind, ways, every, inside } = JSON.parse(box().getItem(KEY) ?? '{}');
+    const text = box().getItem(KEY);
+    if (text === null) return FIRST;
+    const { kind, ways, every, inside } = JSON.parse(text);
     return {
       kind: KINDS.includes(kind) ? kind : FIRST.kind,
       ways: Object.fromEntries(

@@ -1,7 +1,7 @@
 /** The export dialog: the format first, then its settings next to a preview of the page. */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { hasAll, madeOf, wayOf, withAll, withWay } from './export-choice.ts';
+import { hasAll, madeOf, shownChoice, wayOf, withAll } from './export-choice.ts';
 import { FORMATS, isArchive, isList, pictureIn } from './formats.ts';
 import { USUAL_QUALITY } from './page-making.ts';
 import { PAGE_SIZES, scaled, sizeId } from '../page/paper.ts';
@@ -39,8 +39,7 @@ export function ExportDialog() {
   const { store, download, engine, book, ui, exportChoice, keeping } = useApp();
   const page = store.page.value as PageDocument;
   const count = download.sheets().length;
-  const asked = exportChoice.asked.value;
-  const choice = asked ? withWay(exportChoice.choice.value, asked) : exportChoice.choice.value;
+  const choice = shownChoice(exportChoice, book.isMade.value);
   const choose = (next: Choice) => {
     exportChoice.asked.value = null;
     exportChoice.choose(next);

@@ -36,7 +36,8 @@ export const photosFeature: Feature<Parts> = {
     const placeNames = createPlaceNames({ locationOf, load: loadPlaces, wanted: ui.places });
     const wanted = ui.detects;
     const reading = createReading({ ...app, prefix: freshPhotoPrefix(), detects: wanted, places: placeNames });
-    const painted = () => ui.painted.value === store.page.value;
+    // An export has all cores. Detection continues after it.
+    const painted = () => ui.painted.value === store.page.value && app.download.progress.value === null;
     const onFound = () => {
       app.crops.found();
       app.narrating.avoidFaces();
