@@ -1273,7 +1273,7 @@ export type BookStyles = "one" | "chapters";
 export type BookDates = {
   /** The days of the book, for its cover. */
   span?: string,
-  /** Dates without their year, by day such as `2026-06-09`. */
+  /** Dates for captions, by day such as `2026-06-09`. */
   days?: { [key in string]: string },
 };
 

@@ -5,7 +5,7 @@ use crate::framing::{PhotoMeta, Subject};
 use crate::page::Document;
 use crate::page::words::model::{TextItem, TextKind};
 use crate::plan::book::{Outline, Role};
-use crate::plan::moments::Moment;
+use crate::plan::moments::{Moment, date};
 use std::collections::HashMap;
 
 /// Maximum number of captions of a page.
@@ -91,6 +91,7 @@ impl<'a> Told<'a> {
         let days = self.days();
         let several = days.is_some_and(|(from, to)| from != to);
         let counted = days.is_some_and(|(from, to)| to - from < COUNTED);
+        let with_year = days.is_some_and(|(from, to)| date(from).0 != date(to).0);
         let known = self.different_places();
         // A book about one place has it in its title.
         let titled = known.len() == 1 && title.to_lowercase().contains(&known[0].to_lowercase());
@@ -105,7 +106,7 @@ impl<'a> Told<'a> {
                 let mut parts: Vec<String> = Vec::new();
                 if let (true, true, Some(moment), Some((first, _))) = (begins, several, moment, days) {
                     let nth = phrases.nth_day(moment.day() - first).filter(|_| counted);
-                    parts.push(nth.map_or_else(|| phrases.short(moment.day()), str::to_owned));
+                    parts.push(nth.map_or_else(|| phrases.day(moment.day(), with_year), str::to_owned));
                 }
                 if !here.is_empty() && here != place {
                     parts.push(here.to_owned());
@@ -298,6 +299,21 @@ mod tests {
         );
         assert_eq!(told(&["03:09 09:00", "06:10 12:30"], &[], &[0, 1], ""), ["0 9 March.", "1 10 June."]);
         assert!(told(&["", ""], &[], &[0, 0], "").is_empty());
+    }
+
+    #[test]
+    fn the_dates_of_an_album_of_several_years_have_their_year() {
+        let taken = |year: i32, day: &str| PhotoMeta {
+            taken: Some(format!("{year}:{day} 10:00:00")),
+            ..PhotoMeta::unmeasured(&format!("p{year}"), 3000, 2000)
+        };
+        let photos = [taken(2023, "11:02"), taken(2024, "04:11")];
+        let page = Leaf { role: Role::Page, chapter: 0, photos: vec![0, 1] };
+        let outline = Outline { leaves: vec![page], chapters: vec![0, 1] };
+        let places = HashMap::new();
+        let told = Told::new(&photos, &places).captions(&outline, "", &Phrases::of("en").unwrap());
+        let texts: Vec<&str> = told[0].iter().map(|(_, text, _)| text.as_str()).collect();
+        assert_eq!(texts, ["2 November 2023.", "11 April 2024."]);
     }
 
     #[test]

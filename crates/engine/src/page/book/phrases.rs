@@ -27,7 +27,7 @@ pub struct Dates {
     /// The days of the book, for its cover.
     #[cfg_attr(test, ts(as = "Option<_>", optional))]
     pub span: String,
-    /// Dates without their year, by day such as `2026-06-09`.
+    /// Dates for captions, by day such as `2026-06-09`.
     #[cfg_attr(test, ts(as = "Option<_>", optional))]
     pub days: HashMap<String, String>,
 }
@@ -92,11 +92,12 @@ impl Phrases {
         self.parts.get(at).map_or("", String::as_str)
     }
 
-    /// A date without its year.
-    pub(super) fn short(&self, day: i64) -> String {
+    /// A date for a caption. `with_year`: whether it has its year. Dates of the caller replace it.
+    pub(super) fn day(&self, day: i64, with_year: bool) -> String {
         let (year, month, date) = date(day);
         let written = self.written.days.get(&format!("{year:04}-{month:02}-{date:02}"));
-        written.cloned().unwrap_or_else(|| self.filled(&self.short, day))
+        let form = if with_year { &self.date } else { &self.short };
+        written.cloned().unwrap_or_else(|| self.filled(form, day))
     }
 
     /// The days of an album.
@@ -181,7 +182,8 @@ mod tests {
         let dates = Dates { span: "June 9 – 11, 2026".into(), days };
         let written = Phrases::of("en").unwrap().with(dates);
         assert_eq!(written.dates(20_613, 20_615), "June 9 – 11, 2026");
-        assert_eq!([20_613, 20_614].map(|day| written.short(day)), ["June 9", "10 June"]);
+        assert_eq!([20_613, 20_614].map(|day| written.day(day, false)), ["June 9", "10 June"]);
+        assert_eq!([20_613, 20_614].map(|day| written.day(day, true)), ["June 9", "10 June 2026"]);
         let english = Phrases::of("en").unwrap();
         assert_eq!(
             [4, 10, 11, 14, 21, 22, 2].map(|hour| english.part(hour)),
