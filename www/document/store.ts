@@ -60,6 +60,10 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   const fetching = signal(false);
 
   const project = computed(() => history.value.present);
+  /** The page history: the last state of each page, in the order in which the pages were first shown. */
+  const pageHistory = computed(() => history.value.shown);
+  /** The versions of the current page. In a project of one page, the whole page history. */
+  const versions = computed(() => pageHistory.value.filter(({ sheet = 0 }) => sheet === project.value.sheet));
   const page = computed(() => project.value.page);
   /** Names the version of the page, in whatever project it is: ids of pages are used again in each. */
   const version = computed(() => `${place.value.id} ${project.value.pageId}`);
@@ -183,7 +187,18 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   });
 
   return {
+    /** All states, for storage only. */
     history: computed(() => history.value) as ReadonlySignal<History>,
+    canUndo: computed(() => history.value.past.length > 0),
+    canRedo: computed(() => history.value.future.length > 0),
+    /** A value that changes with each undo step, and when one is undone or redone. */
+    step: computed((): unknown => history.value.past),
+    pageHistory,
+    versions,
+    /** Index of the current page among its versions, or -1. */
+    versionIndex: computed(() =>
+      page.value === null ? -1 : versions.value.findIndex(({ id }) => id === project.value.pageId),
+    ),
     /** The history and its editor, for replacing and restoring them. */
     editing: () => editing,
     /** Plans pages of the project from the photos in use. Throws while there is no planner. */
