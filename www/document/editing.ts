@@ -8,9 +8,9 @@ import { VERSION } from '../engine/versions.ts';
 import { EMPTY_HISTORY } from './history.ts';
 import { wellFormed } from './limits.ts';
 import { sheetsOf } from '../engine/sheets.ts';
-import type { Editor } from '../engine/core.ts';
+import type { Editor, KeptHistory } from '../engine/core.ts';
 import type { Known } from '../engine/interned.ts';
-import type { Board, Difference, Intent, PhotoMeta, Runs } from '../engine/types.ts';
+import type { Board, Difference, Intent, Loaded, PhotoMeta, Runs } from '../engine/types.ts';
 import type { Change, History, Shown } from './history.ts';
 import type { PageDocument, Project } from './project.ts';
 
@@ -21,11 +21,26 @@ export type Editing = ReturnType<typeof createEditing>;
  * @param from throws if it is invalid
  */
 export function createEditing(editor: Editor, from: History = EMPTY_HISTORY) {
-  const { dropped, ...ids } = editor.load({ version: VERSION, history: from });
-  let history = dropped.length > 0 ? editor.save() : from;
+  const loaded = editor.load({ version: VERSION, history: from });
+  return editingOf(editor, loaded, loaded.dropped.length > 0 ? editor.save() : from);
+}
+
+/**
+ * Opens a history out of the database or of the journal. Throws `damaged-project` or `newer-project`.
+ * @param editor a dedicated editor
+ */
+export function openEditing(editor: Editor, record: KeptHistory) {
+  const loaded = editor.load(record);
+  return editingOf(editor, loaded, editor.save());
+}
+
+function editingOf(editor: Editor, { dropped, ...ids }: Loaded, from: History) {
+  let history = from;
   let { pageId, sheet } = ids;
 
   return {
+    /** Sentences about the parts that could not be read. */
+    dropped,
     history: () => history,
     /**
      * @param photos in use
