@@ -26,5 +26,7 @@ export function createProjectActions({ keeping, store, ui }: Pick<App, 'keeping'
       enabled: there,
       run: () => void keeping.files.save(),
     },
+    cancelSaving: { label: strings.cancel, run: () => keeping.files.cancelSaving() },
+    cancelOpening: { label: strings.cancel, run: () => keeping.files.cancel() },
   } satisfies Record<string, Action>;
 }
