@@ -47,6 +47,7 @@ function editingOf(editor: Editor, { dropped, ...ids }: Loaded, from: History) {
      * @returns the page that an intent would make the current page; null if the page stays
      */
     preview: (intent: Intent, photos: readonly PhotoMeta[]) => editor.preview(jsonOf(intent), photos),
+    obstacles: editor.obstacles,
     /** Plans pages of the present from photos in use. */
     plans: editor.plans,
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */

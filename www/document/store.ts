@@ -172,6 +172,8 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   });
   /** Layout and paper of the page, as text. Other changes of the page keep its geometry. */
   const shape = computed(() => page.value && JSON.stringify([page.value.layout, page.value.page]));
+  /** Layout and merged panels of the page, as text. */
+  const grouping = computed(() => page.value && JSON.stringify([page.value.layout, page.value.merges]));
   const ofShape = <T>(make: (planner: Planner, layout: LayoutChoice, paper: PageSettings) => T) =>
     computed(() => {
       const [core, now] = [planner.value, shape.value && page.peek()];
@@ -205,6 +207,9 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     plans: () => (editing ?? begun()).plans(photos.peek()),
     /** @returns the page that an intent would make the current page; null if the page stays */
     preview: (intent: Intent) => (editing ?? begun()).preview(intent, photos.peek()),
+    /** @returns why panels of the page cannot be merged or joined; null without a page */
+    obstacles: (panels: readonly number[]) =>
+      grouping.value === null ? null : untracked(() => (editing ?? begun()).obstacles(panels)),
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
     fresh: () => (editing ?? begun()).fresh(),
     /** Storage place of the history. */

@@ -21,11 +21,11 @@ import type {
   Geometry,
   History,
   Layout,
-  LayoutChange,
   LayoutChoice,
   LayoutEntry,
   LayoutFacts,
   Loaded,
+  Obstacles,
   PageDocument,
   PageSettings,
   PhotoMeta,
@@ -100,9 +100,6 @@ export function createPlanner() {
     layoutFile: (layout: LayoutChoice): Template => JSON.parse(core.layout_file(JSON.stringify({ layout }))),
     /** @param request the numbers of panels */
     generateLayout: (request: GenerateRequest): Template => JSON.parse(core.generate_layout(JSON.stringify(request))),
-    /** @param page for the bounds of insets */
-    changeLayout: (layout: LayoutChoice, change: LayoutChange, page?: PageSettings): Template =>
-      JSON.parse(core.change_layout(JSON.stringify({ layout, change, page }))),
     plan: ({ photos, ...rest }: PlanRequest): PageDocument =>
       JSON.parse(album.of(photos).plan(JSON.stringify(rest), idsOf(photos))),
     /** Crops of photos for an aspect ratio, in the order of their ids. */
@@ -158,6 +155,8 @@ function createEditor(album: KnownPhotos) {
     /** @returns the page that an intent would make the current page; null if the page stays */
     preview: (edit: string, photos: readonly PhotoMeta[]): PageDocument | null =>
       JSON.parse(editor.preview(album.using(photos), edit)),
+    /** @returns why panels of the current page cannot be merged or joined; null if nothing prevents it */
+    obstacles: (panels: readonly number[]): Obstacles => JSON.parse(editor.obstacles(JSON.stringify(panels))),
     save: (): History => {
       const { history }: ReadHistory = JSON.parse(editor.save());
       return expanded(history);
