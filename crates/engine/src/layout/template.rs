@@ -206,7 +206,7 @@ fn is_thick(cell: &[Point]) -> bool {
     let bounds = Bounds::of(cell);
     let spare = bounds.width.min(bounds.height) - DEFAULT_GUTTER - LEAST_THICKNESS;
     let is_level = |a: f64, b: f64| (a - b).abs() < f64::EPSILON;
-    // Most cells are rectangles. The complete test is ten times as slow.
+    // Most cells are rectangles, which need no polygons.
     if spare.abs() > 1e-6 && edges(cell).all(|(a, b)| is_level(a.x, b.x) || is_level(a.y, b.y)) {
         return spare > 0.0;
     }
