@@ -6,6 +6,7 @@ use inkpanel_engine::document::edit::{Edit, How};
 use inkpanel_engine::document::editor::Editor;
 use inkpanel_engine::document::file::ProjectFile;
 use inkpanel_engine::document::kept;
+use inkpanel_engine::document::page_edits;
 use inkpanel_engine::document::planning::Known;
 use inkpanel_engine::document::project::Project;
 use inkpanel_engine::document::saved::Saved;
@@ -132,9 +133,10 @@ pub fn saved(bytes: &[u8]) {
 }
 
 /// Applies edits from a JSON array in the format of the app, and skips invalid ones. The result can be
-/// undone, redone and saved.
+/// undone, redone and saved. Applies the same edits to pages, as the command line does.
 pub fn edits(bytes: &[u8]) {
     let Some(Ok(Value::Array(told))) = text(bytes).map(serde_json::from_str) else { return };
+    edited_pages(&told[..told.len().min(MOST_EDITS)]);
     let mut editor = Editor::default();
     for edit in told.iter().take(MOST_EDITS) {
         let before = editor.history().clone();
@@ -163,6 +165,16 @@ pub fn edits(bytes: &[u8]) {
         "done again it is another"
     );
     assert!(editor.history().future == end.future);
+}
+
+/// Applies edits to a page, with four photos in use. Valid edits give pages that can be drawn.
+fn edited_pages(edits: &[Value]) {
+    let photos = ["a", "b", "c", "d"].map(|id| PhotoMeta::unmeasured(id, 3000, 2000));
+    let page = Document::parse(include_str!("seeds/document/page.json")).expect("the seed is a page");
+    let Ok(edited) = page_edits::apply(vec![page], &photos, edits, &|_| None) else { return };
+    for page in &edited.pages {
+        assert!(Scene::new(page, WIDTH).is_ok(), "an edit made a page that cannot be drawn");
+    }
 }
 
 /// Checks the invariants of every state: the tray lists each photo once, pages show only photos of the tray,

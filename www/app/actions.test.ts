@@ -78,7 +78,7 @@ test('the list of keys has the keys that people know, in their order', async () 
 
 /** Actions that need a browser, a video, fonts, models or the real core. */
 const ELSEWHERE =
-  /^(page\.acceptCrops|book\.(make|cover)|photos\.add|layouts\.(save|forget)|panels\.(save|breakFrame|earlier|later|zoom|fit|rotate|flip|reset|cut|slant|inset)|words|text|designer|explorer|imitation\.edit|styles|download\.download)/;
+  /^(page\.acceptCrops|book\.(cancel|make|cover)|photos\.add|layouts\.(save|forget)|projects\.(create|save|cancel)|panels\.(save|breakFrame|earlier|later|zoom|fit|rotate|flip|reset|cut|slant|inset)|words|text|designer|explorer|imitation\.edit|styles|download\.download)/;
 /** They are the undo itself. */
 const WALKS = ['page.undo', 'page.redo'];
 
@@ -102,6 +102,7 @@ test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
   if (id === 'window.shrinkPage') parts.ui.zoom.value = 2;
   parts.imitation.proposals.value = [{ id: 'like-1', name: 'Like a print', tags: [], background: [] }];
   parts.imitation.shown.value = 'like-1';
+  if (id === 'boards.followPages') parts.boards.move(0, 1);
   if (id === 'imitation.stop') parts.imitation.progress.value = 0.5;
   const action = new Map(everyAction({ ...createActions(parts) })).get(id);
   const before = store.history.peek().past.length;

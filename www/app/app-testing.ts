@@ -1,6 +1,7 @@
 /** All parts that actions are made of, over a planner of a few lines. */
 
 import { signal } from '@preact/signals';
+import { createBoards } from '../boards/boards.ts';
 import { createBook } from '../book/book.ts';
 import { createShownPages } from '../book/shown-pages.ts';
 import { createDesigner } from '../designer/designer.ts';
@@ -56,6 +57,9 @@ export async function fakeParts(): Promise<App> {
       stop: () => {},
       goOn: () => {},
     },
+    boards: createBoards({ store, engine, chooseStyle: pages.chooseStyle }),
+    exportChoice: { asked: signal(null) },
+    keeping: { busy: signal(false) },
     book: createBook({ store, pages, messages }),
     shownPages: createShownPages({ store, pages }),
     merging: createMerging({ store, pages, selection }),

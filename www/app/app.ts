@@ -58,6 +58,8 @@ const TABLES: readonly (keyof Actions)[] = [
   'designer',
   'explorer',
   'imitation',
+  'boards',
+  'projects',
   'download',
   'window',
 ];

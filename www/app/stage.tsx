@@ -3,7 +3,6 @@
  */
 
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
@@ -165,8 +164,7 @@ function description(app: App) {
 }
 
 function atEnd(store: Store) {
-  const history = store.history.peek();
-  return versions(history).at(-1)?.id === history.present.pageId;
+  return store.versions.peek().at(-1)?.id === store.project.peek().pageId;
 }
 
 /** @returns the width of an element in CSS pixels, as it changes */

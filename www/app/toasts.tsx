@@ -3,15 +3,18 @@
  */
 
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { spot } from './drop.ts';
 import { FailedFiles } from './failed-files.tsx';
 import { Icon } from '../ui/icon.tsx';
+import type { ComponentChildren } from 'preact';
+import type { Action } from '../ui/action.ts';
 import type { Message } from '../ui/messages.ts';
 
 export function Toasts() {
-  const { messages, download, keeping } = useApp();
+  const { messages, download, keeping, actions } = useApp();
   const opening = keeping.files.progress.value;
   const list = messages.list.value;
   const running = download.progress.value;
@@ -34,50 +37,26 @@ export function Toasts() {
           <Alerts class="toast-list toast-near" list={list.filter(({ near }) => near)} at={spot.value} />
         </div>
         {running && (
-          <div class="toast" aria-busy="true">
-            <div class="toast-work">
-              <span>
-                {exporting}
-                {left !== null && <span class="toast-left">{timeLeft(left)}</span>}
-              </span>
-              <progress class="progress" aria-label={exporting} value={running.done} max={running.total} />
-            </div>
-            <button type="button" class="button" onClick={download.cancel}>
-              {strings.cancel}
-            </button>
-          </div>
+          <Work label={exporting} done={running.done} total={running.total} cancel={actions.download.cancel}>
+            {left !== null && <span class="toast-left">{timeLeft(left)}</span>}
+          </Work>
         )}
         {saving && (
-          <div class="toast" aria-busy="true">
-            <div class="toast-work">
-              <span>{strings.savingProject({ done: Math.floor(saving.done), total: saving.total })}</span>
-              <progress
-                class="progress"
-                aria-label={strings.saveProject}
-                value={saving.done}
-                max={Math.max(1, saving.total)}
-              />
-            </div>
-            <button type="button" class="button" onClick={keeping.files.cancelSaving}>
-              {strings.cancel}
-            </button>
-          </div>
+          <Work
+            label={strings.savingProject({ done: Math.floor(saving.done), total: saving.total })}
+            name={strings.saveProject}
+            done={saving.done}
+            total={saving.total}
+            cancel={actions.projects.cancelSaving}
+          />
         )}
         {opening && (
-          <div class="toast" aria-busy="true">
-            <div class="toast-work">
-              <span>{strings.openingProject({ name: opening.name })}</span>
-              <progress
-                class="progress"
-                aria-label={strings.openingProject({ name: opening.name })}
-                value={opening.done}
-                max={opening.total}
-              />
-            </div>
-            <button type="button" class="button" onClick={keeping.files.cancel}>
-              {strings.cancel}
-            </button>
-          </div>
+          <Work
+            label={strings.openingProject({ name: opening.name })}
+            done={opening.done}
+            total={opening.total}
+            cancel={actions.projects.cancelOpening}
+          />
         )}
         <div role="status" class="toast-list">
           {list
@@ -94,6 +73,36 @@ export function Toasts() {
       </div>
       {messages.listed.value && <FailedFiles />}
     </>
+  );
+}
+
+/** Running work. @param props `name`: the accessible name of its progress, if it differs from the label */
+function Work({
+  label,
+  name = label,
+  done,
+  total,
+  cancel,
+  children,
+}: {
+  label: string;
+  name?: string;
+  done: number;
+  total: number;
+  cancel: Action;
+  children?: ComponentChildren;
+}) {
+  return (
+    <div class="toast" aria-busy="true">
+      <div class="toast-work">
+        <span>
+          {label}
+          {children}
+        </span>
+        <progress class="progress" aria-label={name} value={done} max={Math.max(1, total)} />
+      </div>
+      <ActionButton action={cancel} class="button" text />
+    </div>
   );
 }
 

@@ -1,8 +1,8 @@
 /** Settings of the storyboard sheets: layout and header. */
 
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
-import { Icon } from '../ui/icon.tsx';
 import { LogoChoice } from './logo-choice.tsx';
 import { ASPECTS, PER_SHEET, RATES, rateName } from './shots.ts';
 
@@ -10,14 +10,11 @@ import { ASPECTS, PER_SHEET, RATES, rateName } from './shots.ts';
 const RATE_NAMES = Object.keys(RATES).sort((a, b) => Number.parseFloat(a) - Number.parseFloat(b));
 
 export function BoardSettings() {
-  const { boards } = useApp();
+  const { boards, actions } = useApp();
   const board = boards.board.value;
   return (
     <div class="board-settings">
-      <button type="button" class="button" onClick={boards.filmBoard}>
-        <Icon name="style" />
-        {strings.boards.filmBoard}
-      </button>
+      <ActionButton action={actions.boards.filmBoard} class="button" text />
       <Choice
         label={strings.boards.perSheet}
         value={board.frames}

@@ -7,6 +7,7 @@ import { isList, LISTS } from '../export/formats.ts';
 import { USUAL_QUALITY } from '../export/page-making.ts';
 import { NO_PRINT } from '../export/print.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Workspace } from '../ui/workspace.tsx';
@@ -44,7 +45,7 @@ export function BoardsScreen() {
 }
 
 function Tools() {
-  const { boards, download, exportChoice, messages, store, ui } = useApp();
+  const { boards, download, messages, actions } = useApp();
   const [format, setFormat] = useState(WAYS[0]);
   const busy = download.progress.value !== null;
   const none = boards.rows.value.length === 0;
@@ -60,18 +61,7 @@ function Tools() {
 
   return (
     <div class="boards-tools">
-      <button
-        type="button"
-        class="button"
-        disabled={none || store.page.value === null}
-        onClick={() => {
-          exportChoice.asked.value = 'animatic';
-          ui.dialog.value = 'export';
-        }}
-      >
-        <Icon name="film" />
-        {strings.exportFormats.animatic}
-      </button>
+      <ActionButton action={actions.boards.animatic} class="button" text />
       <ImportFile />
       <select
         class="select"

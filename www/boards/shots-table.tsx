@@ -7,6 +7,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { useListDrag } from '../ui/list-drag.ts';
 import type { ListDrag } from '../ui/list-drag.ts';
@@ -19,7 +20,7 @@ import { lengthText, USUAL_SECONDS } from './shots.ts';
 import { explain } from '../ui/explain.ts';
 
 export function ShotsTable() {
-  const { boards, messages } = useApp();
+  const { boards, messages, actions } = useApp();
   const table = useRef(null as HTMLTableElement | null);
   const rows = boards.rows.value;
   const columns = boards.columns.value;
@@ -51,12 +52,7 @@ export function ShotsTable() {
         <p>
           {strings.boards.count({ count: rows.length })} · <b>{lengthText(boards.total.value, board)}</b>
         </p>
-        {board.order.length > 0 && (
-          <button type="button" class="button" onClick={boards.followPages}>
-            <Icon name="reset" />
-            {strings.boards.followPages}
-          </button>
-        )}
+        {board.order.length > 0 && <ActionButton action={actions.boards.followPages} class="button" text />}
         <NewColumn />
         <button type="button" class="button" onClick={() => void copy()}>
           <Icon name="duplicate" />

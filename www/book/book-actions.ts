@@ -53,6 +53,7 @@ export function createBookActions({
       run: book.add,
       undo: 'step',
     },
+    cancel: { label: strings.cancel, run: () => bookMaking.cancel() },
     make: {
       label: strings.book.make,
       help: computed(() => whyNotSpread.value || strings.book.makeHelp({ n: store.photos.value.length })),

@@ -1,6 +1,5 @@
 import { beforeEach, describe, expect, test } from 'vitest';
 import { opened } from './book-testing.ts';
-import { versions } from '../document/history.ts';
 import { projectJson } from '../storage/files/project-json.ts';
 import { photosOf } from '../storage/snapshot.ts';
 import { createShownPages } from './shown-pages.ts';
@@ -60,7 +59,7 @@ describe('versions', () => {
     pages.shuffle('style');
     book.go(0);
     book.go(1);
-    expect(versions(store.history.value).length).toBe(2);
+    expect(store.versions.value.length).toBe(2);
     pages.previous();
     expect(store.page.value).toEqual(first);
     const others = store.project.value.others;

@@ -31,8 +31,7 @@ export function createShownPages({
   onLoved?: (page: PageDocument) => void;
 }) {
   const entries = computed(() => {
-    const { history } = store;
-    const { shown, present } = history.value;
+    const [shown, present] = [store.pageHistory.value, store.project.value];
     const numbers = new Map(shown.map(({ id }, i) => [id, i + 1]));
     const places = new Map(sheetsOf(present).map(({ sheet }, i) => [sheet, i + 1]));
     return shown.map(({ id, page, from, sheet = 0 }, i) => {
@@ -60,13 +59,13 @@ export function createShownPages({
 
   /** Goes back to a page; a shuffle from there begins another branch. */
   function go(id: number) {
-    const target = store.history.peek().shown.find((entry) => entry.id === id);
+    const target = store.pageHistory.peek().find((entry) => entry.id === id);
     if (target && (store.page.peek() === null || id !== store.project.peek().pageId)) pages.bringBack(target);
   }
 
   function love(id: number, on: boolean) {
     store.change({ type: 'love-page', pageId: id, on });
-    const entry = on ? store.history.peek().shown.find((other) => other.id === id) : undefined;
+    const entry = on ? store.pageHistory.peek().find((other) => other.id === id) : undefined;
     if (entry) onLoved(entry.page);
   }
 

@@ -17,6 +17,13 @@ export function createDesignerActions({ store, designer, ownStyles }: Pick<App, 
   };
 
   return {
+    begin: {
+      label: strings.beginWithPage,
+      icon: 'style',
+      enabled: computed(() => store.page.value !== null),
+      run: designer.beginWithPage,
+      undo: 'step',
+    },
     save: {
       label: strings.saveStyle,
       icon: 'save',

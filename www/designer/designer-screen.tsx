@@ -5,6 +5,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { LAYERS } from './designer.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Workspace } from '../ui/workspace.tsx';
@@ -18,7 +19,7 @@ import { StyleBar } from './style-bar.tsx';
 import type { Designed } from '../engine/design.ts';
 
 export function Designer() {
-  const { store, designer, ui } = useApp();
+  const { store, designer, ui, actions } = useApp();
   const [stages, setStages] = useState(new Map() as ReadonlyMap<number, ImageBitmap>);
   const [adding, setAdding] = useState(false);
   const opener = useRef(null as HTMLButtonElement | null);
@@ -105,10 +106,7 @@ export function Designer() {
             />
           ))}
           {empty && store.page.value && (
-            <button type="button" class="button lanes-begin" onClick={designer.beginWithPage}>
-              <Icon name="style" />
-              {strings.beginWithPage}
-            </button>
+            <ActionButton action={actions.designer.begin} class="button lanes-begin" text />
           )}
         </div>
       </div>

@@ -8,9 +8,9 @@ import { VERSION } from '../engine/versions.ts';
 import { EMPTY_HISTORY } from './history.ts';
 import { wellFormed } from './limits.ts';
 import { sheetsOf } from '../engine/sheets.ts';
-import type { Editor } from '../engine/core.ts';
+import type { Editor, KeptHistory } from '../engine/core.ts';
 import type { Known } from '../engine/interned.ts';
-import type { Board, Difference, Intent, PhotoMeta, Runs } from '../engine/types.ts';
+import type { Board, Difference, Intent, Loaded, PhotoMeta, Runs } from '../engine/types.ts';
 import type { Change, History, Shown } from './history.ts';
 import type { PageDocument, Project } from './project.ts';
 
@@ -21,17 +21,33 @@ export type Editing = ReturnType<typeof createEditing>;
  * @param from throws if it is invalid
  */
 export function createEditing(editor: Editor, from: History = EMPTY_HISTORY) {
-  const { dropped, ...ids } = editor.load({ version: VERSION, history: from });
-  let history = dropped.length > 0 ? editor.save() : from;
+  const loaded = editor.load({ version: VERSION, history: from });
+  return editingOf(editor, loaded, loaded.dropped.length > 0 ? editor.save() : from);
+}
+
+/**
+ * Opens a history out of the database or of the journal. Throws `damaged-project` or `newer-project`.
+ * @param editor a dedicated editor
+ */
+export function openEditing(editor: Editor, record: KeptHistory) {
+  const loaded = editor.load(record);
+  return editingOf(editor, loaded, editor.save());
+}
+
+function editingOf(editor: Editor, { dropped, ...ids }: Loaded, from: History) {
+  let history = from;
   let { pageId, sheet } = ids;
 
   return {
+    /** Sentences about the parts that could not be read. */
+    dropped,
     history: () => history,
     /**
      * @param photos in use
      * @returns the page that an intent would make the current page; null if the page stays
      */
     preview: (intent: Intent, photos: readonly PhotoMeta[]) => editor.preview(jsonOf(intent), photos),
+    obstacles: editor.obstacles,
     /** Plans pages of the present from photos in use. */
     plans: editor.plans,
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */

@@ -22,13 +22,3 @@ export const EMPTY_HISTORY: History = Object.freeze({
   future: Object.freeze([]),
   shown: Object.freeze([]),
 });
-
-/** @returns the versions of the present page; in a project of one page, the whole page history */
-export function versions({ shown, present }: Pick<History, 'shown' | 'present'>): readonly Shown[] {
-  return shown.filter(({ sheet = 0 }) => sheet === present.sheet);
-}
-
-/** @returns index of the present page among its versions, or -1 */
-export function position({ shown, present }: Pick<History, 'shown' | 'present'>): number {
-  return present.page === null ? -1 : versions({ shown, present }).findIndex(({ id }) => id === present.pageId);
-}

@@ -2,7 +2,6 @@
 
 import { batch } from '@preact/signals';
 import { nextTask } from '../engine/scheduler.ts';
-import { position, versions } from './history.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import type { Wish } from '../engine/core.ts';
 import type {
@@ -114,7 +113,7 @@ export function createPages(
   function edit(change: Change, { isNew = () => false }: { isNew?: (at: number) => boolean } = {}): boolean {
     const project = store.project.peek();
     const before = new Map(sheetsOf(project).map((sheet) => [sheet.sheet, sheet.page]));
-    const versions = new Set(store.history.peek().shown.map(({ page }) => page));
+    const versions = new Set(store.pageHistory.peek().map(({ page }) => page));
     // New measurements can move text even if the crops stay.
     const measured = change.type === 'recrop' ? (change.sheet ?? project.sheet) : null;
     batch(() => {
@@ -268,8 +267,7 @@ export function createPages(
   }
 
   function walk(step: number) {
-    const history = store.history.peek();
-    const target = versions(history)[position(history) + step];
+    const target = store.versions.peek()[store.versionIndex.peek() + step];
     if (target) bringBack(target);
   }
 

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { shifted } from '../page/panels/cuts.tsx';
-import { createMerging, grown, whyNotMerge } from '../page/panels/merging.ts';
+import { createMerging, grown } from '../page/panels/merging.ts';
 import { createReshaping } from '../page/panels/reshaping.ts';
 import { createSelection } from '../page/panels/selection.ts';
 import { fakeApp } from './testing.ts';
@@ -63,23 +63,16 @@ test('panels are merged and split, each one step of the undo', async () => {
   expect(page().merges).toEqual([]);
 });
 
-test('a merge needs panels that hang together below the overlays', () => {
-  const facts = {
-    base: 4,
-    adjacent: [
-      [0, 1],
-      [1, 2],
-      [2, 3],
-    ],
-  } as any;
-  const page = (...merges: number[][]) => ({ merges }) as any;
-  expect(whyNotMerge([0, 2], page(), facts)).toBe(strings.merging.apart);
-  expect(whyNotMerge([0, 2, 1], page(), facts)).toBe('');
-  expect(whyNotMerge([3, 4], page(), facts)).toBe(strings.merging.overlay);
-  // Panels that already share an image are included.
-  expect(whyNotMerge([0, 3], page([1, 2]), facts)).toBe(strings.merging.apart);
-  expect(whyNotMerge([0, 1], page([1, 2]), facts)).toBe('');
-  expect(grown([0, 1], page([1, 2]))).toEqual([0, 1, 2]);
+test('a merge needs panels that touch', async () => {
+  const { selection, merging, pages, page } = await app();
+  pages.chooseLayout('grid-4');
+  selection.set([0, 3]);
+  expect(merging.cannotMerge()).toBe(strings.merging.apart);
+  selection.set([0, 2, 3]);
+  expect(merging.cannotMerge()).toBe('');
+  selection.set([0, 1]);
+  merging.merge();
+  expect(grown([1, 3], page())).toEqual([0, 1, 3]);
 });
 
 test('a surprise has the wanted number of panels', async () => {
@@ -107,7 +100,7 @@ test('panels are joined as one step of the undo, where one panel is to be made o
   const { layout, panels } = page();
   const steps = store.history.value.past.length;
   expect(reshaping.cannotJoin([0])).toBe(strings.merging.few);
-  expect(reshaping.cannotJoin([0, 3])).toBe(strings.notJoined);
+  expect(reshaping.cannotJoin([0, 3])).toBe(strings.merging.uneven);
   reshaping.joinPanels([0, 3]);
   expect(page().layout).toBe(layout);
   expect(reshaping.cannotJoin([0, 2])).toBe('');

@@ -60,6 +60,10 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   const fetching = signal(false);
 
   const project = computed(() => history.value.present);
+  /** The page history: the last state of each page, in the order in which the pages were first shown. */
+  const pageHistory = computed(() => history.value.shown);
+  /** The versions of the current page. In a project of one page, the whole page history. */
+  const versions = computed(() => pageHistory.value.filter(({ sheet = 0 }) => sheet === project.value.sheet));
   const page = computed(() => project.value.page);
   /** Names the version of the page, in whatever project it is: ids of pages are used again in each. */
   const version = computed(() => `${place.value.id} ${project.value.pageId}`);
@@ -168,6 +172,8 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   });
   /** Layout and paper of the page, as text. Other changes of the page keep its geometry. */
   const shape = computed(() => page.value && JSON.stringify([page.value.layout, page.value.page]));
+  /** Layout and merged panels of the page, as text. */
+  const grouping = computed(() => page.value && JSON.stringify([page.value.layout, page.value.merges]));
   const ofShape = <T>(make: (planner: Planner, layout: LayoutChoice, paper: PageSettings) => T) =>
     computed(() => {
       const [core, now] = [planner.value, shape.value && page.peek()];
@@ -183,13 +189,27 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   });
 
   return {
+    /** All states, for storage only. */
     history: computed(() => history.value) as ReadonlySignal<History>,
+    canUndo: computed(() => history.value.past.length > 0),
+    canRedo: computed(() => history.value.future.length > 0),
+    /** A value that changes with each undo step, and when one is undone or redone. */
+    step: computed((): unknown => history.value.past),
+    pageHistory,
+    versions,
+    /** Index of the current page among its versions, or -1. */
+    versionIndex: computed(() =>
+      page.value === null ? -1 : versions.value.findIndex(({ id }) => id === project.value.pageId),
+    ),
     /** The history and its editor, for replacing and restoring them. */
     editing: () => editing,
     /** Plans pages of the project from the photos in use. Throws while there is no planner. */
     plans: () => (editing ?? begun()).plans(photos.peek()),
     /** @returns the page that an intent would make the current page; null if the page stays */
     preview: (intent: Intent) => (editing ?? begun()).preview(intent, photos.peek()),
+    /** @returns why panels of the page cannot be merged or joined; null without a page */
+    obstacles: (panels: readonly number[]) =>
+      grouping.value === null ? null : untracked(() => (editing ?? begun()).obstacles(panels)),
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
     fresh: () => (editing ?? begun()).fresh(),
     /** Storage place of the history. */

@@ -21,11 +21,11 @@ import type {
   Geometry,
   History,
   Layout,
-  LayoutChange,
   LayoutChoice,
   LayoutEntry,
   LayoutFacts,
   Loaded,
+  Obstacles,
   PageDocument,
   PageSettings,
   PhotoMeta,
@@ -53,6 +53,8 @@ export async function startCore(program: Program) {
 
 export type Planner = ReturnType<typeof createPlanner>;
 export type Editor = ReturnType<typeof createEditor>;
+/** A history of a record, not validated. */
+export type KeptHistory = { version?: unknown; history?: unknown };
 /**
  * Options for planning a page. Omitted fields use the project's settings. `photos`: photos to use (default: photos that
  * are free for the page). `anew`: ignore the existing page.
@@ -98,9 +100,6 @@ export function createPlanner() {
     layoutFile: (layout: LayoutChoice): Template => JSON.parse(core.layout_file(JSON.stringify({ layout }))),
     /** @param request the numbers of panels */
     generateLayout: (request: GenerateRequest): Template => JSON.parse(core.generate_layout(JSON.stringify(request))),
-    /** @param page for the bounds of insets */
-    changeLayout: (layout: LayoutChoice, change: LayoutChange, page?: PageSettings): Template =>
-      JSON.parse(core.change_layout(JSON.stringify({ layout, change, page }))),
     plan: ({ photos, ...rest }: PlanRequest): PageDocument =>
       JSON.parse(album.of(photos).plan(JSON.stringify(rest), idsOf(photos))),
     /** Crops of photos for an aspect ratio, in the order of their ids. */
@@ -129,7 +128,6 @@ export function createPlanner() {
      */
     readProject: (text: string, { prefix }: { prefix?: string } = {}): ReadProject =>
       JSON.parse(core.read_project(text, prefix)),
-    readHistory,
     createEditor: () => createEditor(album),
     /** @returns applies the changes between two states of a list to another state */
     carried: <T>(list: readonly T[], before: readonly T[], after: readonly T[]): T[] =>
@@ -142,11 +140,11 @@ function createEditor(album: KnownPhotos) {
   const editor = new core.Editor();
   return {
     /**
-     * Replaces the history. Throws as `readHistory`, and then nothing changed.
+     * Replaces the history by one that is not validated, and checks all of it. Throws `damaged-project`,
+     * `newer-project` or `too-large-project`, and then nothing changed.
      * @returns the dropped parts, and ids for a new page and a new sheet
      */
-    load: (record: { version: number; history: History }): Loaded =>
-      JSON.parse(editor.load(JSON.stringify({ ...record, history: interned(record.history) }))),
+    load: (record: KeptHistory): Loaded => JSON.parse(editor.load(textOf(record))),
     /**
      * Throws `invalid-document`, and for intents the errors of the planner. Then nothing changed.
      * @param edit as JSON
@@ -157,6 +155,8 @@ function createEditor(album: KnownPhotos) {
     /** @returns the page that an intent would make the current page; null if the page stays */
     preview: (edit: string, photos: readonly PhotoMeta[]): PageDocument | null =>
       JSON.parse(editor.preview(album.using(photos), edit)),
+    /** @returns why panels of the current page cannot be merged or joined; null if nothing prevents it */
+    obstacles: (panels: readonly number[]): Obstacles => JSON.parse(editor.obstacles(JSON.stringify(panels))),
     save: (): History => {
       const { history }: ReadHistory = JSON.parse(editor.save());
       return expanded(history);
@@ -199,24 +199,13 @@ function idsOf(photos: readonly PhotoMeta[]): string {
   return JSON.stringify(photos.map(({ id }) => id));
 }
 
-/**
- * Reads a history out of the database and checks all of it. Shared parts of states stay shared. Throws
- * `damaged-project` or `newer-project`.
- * @param record with `version` and `history`
- * @returns `dropped`: sentences about dropped parts
- */
-function readHistory(
-  record: { version?: unknown; history?: unknown } | null,
-): Omit<ReadHistory, 'history'> & { history: History } {
-  let text: string;
+function textOf({ version, history }: KeptHistory): string {
   try {
-    text = JSON.stringify({ version: record?.version, history: interned(record?.history) });
+    return JSON.stringify({ version, history: interned(history) });
   } catch {
     // A cyclic structure, or a number that is not finite.
     throw failure('damaged-project', 'history: is not plain data');
   }
-  const { version, history, dropped }: ReadHistory = JSON.parse(core.read_history(text));
-  return { version, history: expanded(history), dropped };
 }
 
 type KnownPhotos = ReturnType<typeof createAlbum>;

@@ -904,6 +904,17 @@ export type Intent = { "type": "crop-panel",
   taste?: Taste,
 };
 
+/** Why the user cannot combine some panels of a page. */
+export type Obstacles = {
+  /** Why they cannot share one image. Null if they can. */
+  merge: Obstacle | null,
+  /** Why they cannot become one panel. Null if they can. */
+  join: Obstacle | null,
+};
+
+/** Why panels cannot share one photo, or become one panel. */
+export type Obstacle = "few" | "overlay" | "already" | "apart" | "uneven";
+
 /** A change of the crop of a panel. `from` is the crop that it starts from; default: the current crop. */
 export type CropChange = { "type": "pan",
   /** The crop at the start of the drag. */
@@ -1529,8 +1540,6 @@ export type LayoutFacts = {
   good: boolean,
   /** It is made of cuts. */
   editable: boolean,
-  /** Pairs of panels with a common edge. */
-  adjacent: ReadonlyArray<[number, number]>,
   /** The cuts between panels. */
   cuts: ReadonlyArray<Cut>,
 };

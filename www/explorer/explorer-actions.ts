@@ -13,6 +13,7 @@ export function createExplorerActions({ explorer }: Pick<App, 'explorer'>) {
       enabled: computed(() => explorer.progress.value !== null),
       run: explorer.stop,
     },
+    stopJudging: { label: strings.stopJudging, run: explorer.scores.pause },
     sort: {
       label: strings.sortByScore,
       help: computed(() => (explorer.scores.off.value ? strings.sortedByLight : strings.sortedByNet)),

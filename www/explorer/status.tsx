@@ -18,6 +18,7 @@ export function Status() {
 
 function UnderWay() {
   const { explorer, actions } = useApp();
+  const { explorer: explore } = actions;
   const running = explorer.progress.value;
   const judging = explorer.scores.progress.value;
   const doing = running ?? judging;
@@ -28,13 +29,7 @@ function UnderWay() {
     <div class="under-way">
       <span class="count">{label}</span>
       <progress class="progress" aria-label={label} value={doing.done} max={doing.total} />
-      {running ? (
-        <ActionButton action={actions.explorer.stop} class="button small" text />
-      ) : (
-        <button type="button" class="button small" onClick={explorer.scores.pause}>
-          {strings.stopJudging}
-        </button>
-      )}
+      <ActionButton action={running ? explore.stop : explore.stopJudging} class="button small" text />
     </div>
   );
 }

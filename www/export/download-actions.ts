@@ -15,6 +15,7 @@ export function createDownloadActions({ store, download, ui }: Pick<App, 'store'
       why: computed(() => (download.progress.value === null ? '' : strings.exportRuns)),
       run: () => void download.start(),
     },
+    cancel: { label: strings.cancel, run: download.cancel },
     exportPages: {
       label: strings.export,
       icon: 'export',

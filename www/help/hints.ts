@@ -4,7 +4,6 @@
  */
 
 import { computed, effect, signal } from '@preact/signals';
-import { versions } from '../document/history.ts';
 import type { Lettering } from '../lettering/lettering.ts';
 import type { Framing } from '../page/panels/framing.ts';
 import type { Reshaping } from '../page/panels/reshaping.ts';
@@ -73,7 +72,7 @@ export function createHints({
   const locked = computed(() => Object.values(store.project.value.locks).some(Boolean));
 
   const due: Record<Hint, () => boolean> = {
-    shuffle: () => shuffles.value === 0 && (again.value || versions(store.history.value).length === 1),
+    shuffle: () => shuffles.value === 0 && (again.value || store.versions.value.length === 1),
     crop: () =>
       panel.value !== null &&
       lettering.chosen.value < 0 &&

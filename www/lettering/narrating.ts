@@ -57,7 +57,7 @@ export function createNarrating({
   /** Tells the places that became known after the first page was planned, if the user has changed nothing yet. */
   function renew() {
     const { page, at } = store.project.peek();
-    if (!page || !ui.narrates.peek() || store.history.peek().past.length > 0) return;
+    if (!page || !ui.narrates.peek() || store.canUndo.peek()) return;
     if ((plain(page).words ?? []).length > 0) return;
     const next = narrated(page, at);
     const moved = settled(next, [...(next.words ?? []).keys()]);

@@ -66,7 +66,7 @@ export function createBetterCrops({
 
   /** Whether the page has been on the screen for a while. */
   function looked(): boolean {
-    const look = store.history.peek().past.length === 0 ? FIRST_LOOK : LOOK;
+    const look = store.canUndo.peek() ? LOOK : FIRST_LOOK;
     return seen !== null && seen.version === store.version.peek() && now() - seen.at >= look;
   }
 }

@@ -1,10 +1,11 @@
 /** Progress of a book that is being made, with a button that cancels it. */
 
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 
 export function BookProgress() {
-  const { bookMaking } = useApp();
+  const { bookMaking, actions } = useApp();
   const progress = bookMaking.progress.value;
   if (progress === null) return null;
   const { done, of } = progress;
@@ -18,9 +19,7 @@ export function BookProgress() {
         value={of === 0 ? undefined : done}
         max={of === 0 ? undefined : of}
       />
-      <button type="button" class="button" onClick={bookMaking.cancel}>
-        {strings.cancel}
-      </button>
+      <ActionButton action={actions.book.cancel} class="button" text />
     </div>
   );
 }

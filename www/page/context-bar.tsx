@@ -4,7 +4,6 @@
  */
 
 import { useEffect } from 'preact/hooks';
-import { versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { isEnabled, now } from '../ui/action.ts';
@@ -171,7 +170,7 @@ function toolsFor({
     };
   }
   if (!wide) return null;
-  const isFirst = versions(store.history.value).length < 2;
+  const isFirst = store.versions.value.length < 2;
   // A book is offered as long as many photos are on no page.
   const isAlbum = !pages.several.value && pages.areManyLeft.value && isEnabled(book.make);
   const offers = [

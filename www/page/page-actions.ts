@@ -1,7 +1,6 @@
 /** Actions for the whole page. */
 
 import { computed } from '@preact/signals';
-import { position, versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { WALK_KEYS } from './panels/panel-keys.ts';
 import type { App } from '../ui/context.ts';
@@ -16,8 +15,8 @@ export function createPageActions({
   ui,
 }: Pick<App, 'store' | 'pages' | 'crops' | 'shownPages' | 'ui'>) {
   const there = computed(() => store.page.value !== null);
-  const at = computed(() => position(store.history.value));
-  const count = computed(() => versions(store.history.value).length);
+  const at = store.versionIndex;
+  const count = computed(() => store.versions.value.length);
 
   const shuffled = (part: Part) =>
     ({
@@ -60,7 +59,7 @@ export function createPageActions({
       keys: ['Mod+Z'],
       heard: 'everywhere',
       icon: 'undo',
-      enabled: computed(() => store.history.value.past.length > 0),
+      enabled: store.canUndo,
       run: pages.undo,
     },
     redo: {
@@ -68,7 +67,7 @@ export function createPageActions({
       keys: ['Shift+Mod+Z', 'Mod+Y'],
       heard: 'everywhere',
       icon: 'redo',
-      enabled: computed(() => store.history.value.future.length > 0),
+      enabled: store.canRedo,
       run: pages.redo,
     },
     walk: WALK_KEYS,

@@ -9,7 +9,7 @@ function offered(language: string, { rtl = false, past = 0 } = {}) {
     page,
     sketch,
     project: signal({ settings: { rtl } }),
-    history: signal({ past: Array.from({ length: past }) }),
+    canUndo: signal(past > 0),
   };
   const notes: { text: string; run: () => void }[] = [];
   const changes: unknown[] = [];

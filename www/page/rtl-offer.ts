@@ -24,7 +24,7 @@ export function offerRtl({
   messages,
   language,
 }: {
-  store: Pick<Store, 'page' | 'sketch' | 'project' | 'history'>;
+  store: Pick<Store, 'page' | 'sketch' | 'project' | 'canUndo'>;
   pages: Pick<Pages, 'changeSettings'>;
   messages: Pick<Messages, 'note'>;
   language: string;
@@ -36,7 +36,7 @@ export function offerRtl({
     offered = true;
     untracked(() => {
       // A project that was opened has its direction.
-      if (store.project.peek().settings.rtl || store.history.peek().past.length > 0) return;
+      if (store.project.peek().settings.rtl || store.canUndo.peek()) return;
       messages.note(strings.rtlOffer, {
         label: strings.rightToLeft,
         run: () => pages.changeSettings({ rtl: true }),

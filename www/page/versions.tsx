@@ -1,6 +1,5 @@
 /** The versions of the page: previous, next, all of them, and the heart. */
 
-import { position, versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { ActionButton } from '../ui/action-button.tsx';
@@ -8,8 +7,7 @@ import { ActionButton } from '../ui/action-button.tsx';
 export function Versions({ heart = false }: { heart?: boolean }) {
   const { store, actions } = useApp();
   const { page } = actions;
-  const history = store.history.value;
-  const [at, of] = [position(history) + 1, versions(history).length];
+  const [at, of] = [store.versionIndex.value + 1, store.versions.value.length];
   return (
     <div class="versions" data-one={of < 2}>
       <ActionButton action={page.previous} />

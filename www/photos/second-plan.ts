@@ -56,10 +56,10 @@ export function planAgain({
   for (const act of ACTS) window.addEventListener(act, forget, { capture: true, passive: true });
 
   effect(() => {
-    const { history, version, reading } = store;
+    const { canUndo, version, reading } = store;
     if (composed.value === null) return;
     const { version: own, at } = composed.value;
-    if (version.value !== own || history.value.past.length > 0) return forget();
+    if (version.value !== own || canUndo.value) return forget();
     if (reading.value !== null || store.sketch.value) return;
     // Other shots need no detection, which takes long for a video.
     const isEarly = !searched.value;

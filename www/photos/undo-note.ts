@@ -8,9 +8,9 @@ import type { App } from '../ui/context.ts';
  */
 export function noteWithUndo({ messages, store, pages }: Pick<App, 'messages' | 'store' | 'pages'>, text: string) {
   const id = messages.note(text, { label: strings.undo, run: pages.undo });
-  const { past } = store.history.peek();
+  const step = store.step.peek();
   const stop = effect(() => {
-    const moved = store.history.value.past !== past;
+    const moved = store.step.value !== step;
     const gone = messages.list.value.every((message) => message.id !== id);
     if (!moved && !gone) return;
     // Do not change signals while they notify.

@@ -4,11 +4,12 @@ import { lazyWorkspace } from '../ui/lazy.tsx';
 import { effect } from '@preact/signals';
 import { openFiles } from '../photos/file-input.tsx';
 import { drawn } from '../ui/drawn.ts';
+import { createProjectActions } from './project-actions.ts';
 import { createShelves } from './shelves.ts';
 import { createKeeping } from './storage.ts';
 import type { Shelves } from './shelves.ts';
 import type { Keeping } from './storage.ts';
-import type { Feature } from '../ui/context.ts';
+import type { Feature, App } from '../ui/context.ts';
 
 type Parts = {
   shelves: Shelves;
@@ -17,7 +18,10 @@ type Parts = {
 
 declare module '../ui/context.ts' {
   interface App extends Parts {}
+  interface Actions extends ReturnType<typeof actions> {}
 }
+
+const actions = (app: App) => ({ projects: createProjectActions(app) });
 
 export const storageFeature: Feature<Parts> = {
   install(app) {
@@ -43,4 +47,5 @@ export const storageFeature: Feature<Parts> = {
   screens: {
     projects: lazyWorkspace(async () => (await import('./projects-dialog.tsx')).Projects),
   },
+  actions,
 };

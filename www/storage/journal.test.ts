@@ -1,10 +1,12 @@
 import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
 import { EMPTY_HISTORY } from '../document/history.ts';
+import { openEditing } from '../document/editing.ts';
 import { edited, pageOf } from '../document/testing.ts';
 import { core } from '../engine/testing-core.ts';
 import { createJournal, patchOf } from './journal.ts';
 import { fakeBrowser } from './testing.ts';
+import type { KeptHistory } from '../engine/core.ts';
 import type { Change } from '../document/history.ts';
 
 vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
@@ -20,7 +22,7 @@ const anyChange: fc.Arbitrary<Change> = fc.oneof(
 );
 
 const boxOf = () => fakeBrowser().local;
-const { readHistory } = core;
+const readHistory = (record: KeptHistory) => openEditing(core.createEditor(), record);
 const named = (...names: string[]) => edited(...names.map((name) => ({ type: 'rename', name }) as Change)).history();
 
 describe('a journal', () => {

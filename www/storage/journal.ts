@@ -8,6 +8,8 @@
  */
 
 import { VERSION as DOCUMENT } from '../engine/versions.ts';
+import type { Editing } from '../document/editing.ts';
+import type { KeptHistory } from '../engine/core.ts';
 import type { Project } from '../document/project.ts';
 import type { History, Shown } from '../document/history.ts';
 
@@ -34,7 +36,7 @@ type Patch = {
 /** The entry of a project. */
 type Entry = { version: number; bases: { stamp: string; patch: Patch }[]; photos: [string, string][] };
 /** The core's reading of a history. */
-type Read = (kept: { version: number; history: unknown }) => { history: History; dropped: readonly string[] };
+type Read = (kept: KeptHistory) => Pick<Editing, 'history' | 'dropped'>;
 export type Journal = ReturnType<typeof createJournal>;
 
 const VERSION = 1;
@@ -94,7 +96,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
       const found = readHistory({ version: DOCUMENT, history });
       if (found.dropped.length > 0) return null;
       // Equal parts stay the same objects, so that the next entry recognises them.
-      return { history: kinOf(found.history, history as History, base.history), photos: entry.photos };
+      return { history: kinOf(found.history(), history as History, base.history), photos: entry.photos };
     } catch {
       return null;
     }

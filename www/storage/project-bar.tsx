@@ -1,7 +1,7 @@
 /** Project controls in the top bar: name, save state, and access to other projects. */
 
 import { strings } from '../strings/strings.ts';
-import { IconButton } from '../ui/button.tsx';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import type { Keeping } from './storage.ts';
@@ -89,38 +89,22 @@ function stateText({ status, progress }: Keeping) {
 
 /** @param props `dot`: it also marks unsaved changes, if there is no space for text */
 function ProjectsButton({ small = false, dot = false }: { small?: boolean; dot?: boolean }) {
-  const { ui, keeping } = useApp();
-  const on = ui.work.value === 'projects';
-  const toggle = () => {
-    ui.work.value = on ? null : 'projects';
-  };
-  if (small) {
-    const state = keeping.status.value;
-    const text = dot ? stateText(keeping) : '';
-    const sign =
-      text === '' || state === 'saved'
-        ? ''
-        : state !== 'saving'
-          ? 'save-dot bad'
-          : keeping.progress.value
-            ? 'save-dot'
-            : '';
-    return (
-      <IconButton
-        icon="open"
-        label={strings.projects}
-        short={strings.projects}
-        help={text ? `${strings.projects}. ${text}` : undefined}
-        class={sign}
-        pressed={on}
-        onClick={toggle}
-      />
-    );
-  }
+  const { keeping, actions } = useApp();
+  const action = actions.projects.list;
+  if (!small) return <ActionButton action={action} class="button" text />;
+  const state = keeping.status.value;
+  const text = dot ? stateText(keeping) : '';
+  const waits = state === 'saving' ? (keeping.progress.value ? 'save-dot' : '') : 'save-dot bad';
+  const sign = text === '' || state === 'saved' ? '' : waits;
   return (
-    <button type="button" class="button" aria-pressed={on} onClick={toggle}>
+    <ActionButton
+      action={text ? { ...action, help: `${strings.projects}. ${text}` } : action}
+      class={`icon-button ${sign}`}
+    >
       <Icon name="open" />
-      {strings.projects}
-    </button>
+      <span class="icon-text" aria-hidden="true">
+        {strings.projects}
+      </span>
+    </ActionButton>
   );
 }

@@ -6,6 +6,7 @@ import { Picture } from './picture.tsx';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { InstallButton } from '../offline/install.tsx';
@@ -17,7 +18,8 @@ import { LONGEST_NAME, ProjectName, SaveState } from './project-bar.tsx';
 import type { ProjectRecord } from './database.ts';
 
 export function Projects() {
-  const { store, keeping, ui, openProjects } = useApp();
+  const { store, keeping, ui, openProjects, actions } = useApp();
+  const { projects } = actions;
   const input = useRef(null as HTMLInputElement | null);
   const list = keeping.list.value;
   const empty = store.tray.value.length === 0;
@@ -27,18 +29,12 @@ export function Projects() {
 
   const tools = (
     <div class="wall-bar">
-      <button type="button" class="button" disabled={keeping.busy.value || empty} onClick={() => void keeping.create()}>
-        <Icon name="add" />
-        {strings.newProject}
-      </button>
+      <ActionButton action={projects.create} class="button" text />
       <button type="button" class="button" onClick={() => input.current?.click()}>
         <Icon name="open" />
         {strings.openProject}
       </button>
-      <button type="button" class="button" disabled={empty} onClick={() => void keeping.files.save()}>
-        <Icon name="save" />
-        {strings.saveProject}
-      </button>
+      <ActionButton action={projects.save} class="button" text />
       {!empty && <CleanChoice />}
       <InstallButton />
       <ChosenFiles

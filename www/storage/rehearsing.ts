@@ -32,7 +32,8 @@ export function rehearsed(
   content: Content,
   { planner, shared, join = false }: { planner: Planner; shared: Partial<SharedLists>; join?: boolean },
 ): Rehearsed {
-  const editing = createEditing(planner.createEditor(), content.history);
+  const opened = content.editing?.history() === content.history ? content.editing : null;
+  const editing = opened ?? createEditing(planner.createEditor(), content.history);
   editing.apply({ type: join ? 'join' : 'share', lists: shared });
   const whole = { ...content, history: editing.history(), editing };
   const stage = createStore();

@@ -9,8 +9,11 @@ import { strings } from '../strings/strings.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { drawnId } from './drawn-states.ts';
 import { emptyFrames } from '../photos/placeholder.ts';
+import { openEditing } from '../document/editing.ts';
 import { photosOf } from './snapshot.ts';
 import type { Fact, Video } from '../document/album.ts';
+import type { Editing } from '../document/editing.ts';
+import type { KeptHistory } from '../engine/core.ts';
 import type { History } from '../document/history.ts';
 import type { Project } from '../document/project.ts';
 import type { Planner } from '../document/store.ts';
@@ -23,6 +26,7 @@ type Ready = Promise<Planner>;
 /**
  * Parts of a stored project:
  *
+ * - `editing`: an editor, which may have another history
  * - `records`: photo records of the database
  * - `unread`: files that must be decoded again
  * - `films`: keys of videos that must be decoded again for their frames
@@ -32,6 +36,7 @@ type Ready = Promise<Planner>;
  */
 export type Content = {
   history: History;
+  editing?: Editing;
   album: ReadonlyMap<string, Fact>;
   videos: ReadonlyMap<string, Video>;
   records: PhotoRecord[];
@@ -55,13 +60,15 @@ export async function readProject(
 ): Promise<{ place: Place; content: Content; drawn: Project[] }> {
   const [place, state] = await Promise.all([placeOf(database, id), database.get('states', id)]);
   if (!state) throw failure('missing-project', 'This project no longer exists.');
-  const { readHistory } = await ready;
-  const { history: stored, dropped } = readHistory(state);
-  const told = recall(id, { stamp: place.stamp, history: stored }, readHistory);
+  const planner = await ready;
+  const open = (record: KeptHistory) => openEditing(planner.createEditor(), record);
+  const editing = open(state);
+  const [stored, { dropped }] = [editing.history(), editing];
+  const told = recall(id, { stamp: place.stamp, history: stored }, open);
   const drawn = await drawnOf(database, id, ready);
   const names = new Map(told?.photos);
   const content = await contentOf(database, told?.history ?? stored, { drawn, state, names });
-  return { place: told ? { ...place, stored } : place, content: { ...content, dropped }, drawn };
+  return { place: told ? { ...place, stored } : place, content: { ...content, editing, dropped }, drawn };
 }
 
 /** @returns the states of a project that were drawn and can be read, the last at the end */
@@ -71,7 +78,8 @@ export async function drawnOf(database: Database, id: string, ready: Ready): Pro
   const planner = await ready;
   return drawn.flatMap((present: unknown) => {
     try {
-      return [planner.readHistory({ version, history: { past: [], present, future: [], shown: [] } }).history.present];
+      const history = { past: [], present, future: [], shown: [] };
+      return [openEditing(planner.createEditor(), { version, history }).history().present];
     } catch {
       return [];
     }

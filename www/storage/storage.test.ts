@@ -1,4 +1,5 @@
 import { describe, expect, it, vi } from 'vitest';
+import { Editor } from '../pkg/inkpanel.js';
 import { openDatabase } from './database.ts';
 import { drawnId } from './drawn-states.ts';
 import { createLocks } from './locks.ts';
@@ -43,6 +44,18 @@ describe('after the page is loaded again', () => {
     await before.keeping.create();
     await vi.waitFor(() => expect(documentOf(after)).toEqual(wanted));
     expect((after.store.page.value as any).words[0].text).toBe('Boom');
+  });
+
+  it('the history is read once', async () => {
+    const browser = fakeBrowser();
+    const before = await browser.tab();
+    await before.add('a.jpg', 'b.jpg');
+    const [{ id }] = before.store.tray.value;
+    const load = vi.spyOn(Editor.prototype, 'load');
+    const after = await browser.died().tab();
+    expect(after.names()).toEqual(['a.jpg', 'b.jpg']);
+    expect(load.mock.calls.filter(([text]) => text.includes(id))).toHaveLength(1);
+    load.mockRestore();
   });
 
   it('photos that are chosen before the project is there join it', async () => {

@@ -123,8 +123,8 @@ export function fakeBrowser({
   } = {}) {
     const store = createStore();
     const planner = fakePlanner();
-    const { checkStyle, geometry, readProject, readHistory } = core;
-    Object.assign(planner, { checkStyle, geometry, readProject, readHistory });
+    const { checkStyle, geometry, readProject } = core;
+    Object.assign(planner, { checkStyle, geometry, readProject });
     store.planner.value = planner as any;
     const messages = createMessages();
     let seed = 0;

@@ -17,10 +17,29 @@ export function createStyleActions({
   store,
   ownStyles,
   designer,
+  styling,
+  taste,
   ui,
-}: Pick<App, 'store' | 'ownStyles' | 'designer' | 'ui'>) {
+}: Pick<App, 'store' | 'ownStyles' | 'designer' | 'styling' | 'taste' | 'ui'>) {
   const style = computed(() => styleOfPage({ store, ownStyles }));
+  const kept = (part: 'keepColours' | 'keepLines') => {
+    const on = computed(() => store.project.value.styling[part] ?? false);
+    return {
+      label: strings[part],
+      on,
+      run: () => styling.change({ [part]: !on.peek() }),
+      undo: 'step',
+    } satisfies Action;
+  };
+
   return {
+    keepColours: kept('keepColours'),
+    keepLines: kept('keepLines'),
+    forgetTaste: {
+      label: strings.forgetTaste,
+      enabled: computed(() => taste.known.value),
+      run: () => taste.forget(),
+    },
     edit: {
       label: computed(() =>
         style.value ? strings.editStyle({ name: strings.styleTitle(style.value) }) : strings.edit,

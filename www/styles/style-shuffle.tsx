@@ -2,12 +2,14 @@
 
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 
 export function StyleShuffle() {
-  const { store, styling, taste } = useApp();
+  const { store, styling, taste, actions } = useApp();
+  const { styles } = actions;
   const drags = useRef(0);
-  const { invented, keepLines, keepColours } = store.project.value.styling;
+  const { invented } = store.project.value.styling;
   return (
     <fieldset class="style-shuffle">
       <legend class="visually-hidden">{strings.styleShuffle}</legend>
@@ -30,22 +32,8 @@ export function StyleShuffle() {
         <output aria-hidden="true">{strings.percent(invented)}</output>
       </label>
       <div class="style-locks">
-        <button
-          type="button"
-          class="button small"
-          aria-pressed={keepColours}
-          onClick={() => styling.change({ keepColours: !keepColours })}
-        >
-          {strings.keepColours}
-        </button>
-        <button
-          type="button"
-          class="button small"
-          aria-pressed={keepLines}
-          onClick={() => styling.change({ keepLines: !keepLines })}
-        >
-          {strings.keepLines}
-        </button>
+        <ActionButton action={styles.keepColours} class="button small" text />
+        <ActionButton action={styles.keepLines} class="button small" text />
       </div>
       <div class="style-taste">
         <label title={strings.learnTasteLong}>
@@ -56,9 +44,7 @@ export function StyleShuffle() {
           />
           <span>{strings.learnTaste}</span>
         </label>
-        <button type="button" class="button small" disabled={!taste.known.value} onClick={taste.forget}>
-          {strings.forgetTaste}
-        </button>
+        <ActionButton action={styles.forgetTaste} class="button small" text />
       </div>
     </fieldset>
   );

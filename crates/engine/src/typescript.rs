@@ -4,6 +4,7 @@
 #![allow(dead_code, clippy::unwrap_used, reason = "only for the TypeScript types; a test may panic")]
 
 use crate::detect::{Detection, FirstLook};
+use crate::document::carrying_out::Obstacles;
 use crate::document::draft::{self, Draft, DraftEdit, DraftStep, Layer, Place};
 use crate::document::edit::{Edit, How, Part};
 use crate::document::editor::Editor;
@@ -16,6 +17,7 @@ use crate::document::shots::{Board, Shot};
 use crate::framing::{Crop, Expression, PhotoMeta, Subject};
 use crate::hearing;
 use crate::layout::edit::Cut;
+use crate::layout::merge::Obstacle;
 use crate::layout::tree::Axis;
 use crate::layout::{
     Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
@@ -288,6 +290,8 @@ fn types() -> String {
         History,
         Edit,
         Intent,
+        Obstacles,
+        Obstacle,
         CropChange,
         Shuffled,
         Draw,

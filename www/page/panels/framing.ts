@@ -31,10 +31,10 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     () => held.value ?? cropping.value ?? (mode.value?.kind === 'frame' ? mode.value.panel : null),
   );
   // Any other edit, undo or redo cancels the placing of a photo.
-  let { past } = store.history.peek();
+  let last = store.step.peek();
   effect(() => {
-    if (store.history.value.past === past) return;
-    ({ past } = store.history.value);
+    if (store.step.value === last) return;
+    last = store.step.value;
     placing.value = null;
   });
 

@@ -5,7 +5,7 @@
 import { strings } from '../../strings/strings.ts';
 import type { Pages } from '../../document/pages.ts';
 import type { Store } from '../../document/store.ts';
-import type { LayoutFacts, PageDocument } from '../../engine/types.ts';
+import type { PageDocument } from '../../engine/types.ts';
 import type { Selection } from './selection.ts';
 
 export type Merging = ReturnType<typeof createMerging>;
@@ -13,11 +13,10 @@ export type Merging = ReturnType<typeof createMerging>;
 export function createMerging({ store, pages, selection }: { store: Store; pages: Pages; selection: Selection }) {
   return { merge, split, cannotMerge, cannotSplit };
 
-  /** @returns why the chosen panels cannot be merged; empty when they can */
+  /** @returns why the selected panels cannot be merged; empty if they can */
   function cannotMerge(): string {
-    const page = store.page.value;
-    const facts = store.layoutFacts.value;
-    return page && facts ? whyNotMerge(selection.panels.value, page, facts) : strings.merging.few;
+    const { merge } = store.obstacles(selection.panels.value) ?? { merge: 'few' };
+    return merge ? strings.merging[merge] : '';
   }
 
   /** @returns the reason why nothing can be split; empty if something can */
@@ -45,22 +44,6 @@ export function createMerging({ store, pages, selection }: { store: Store; pages
 export function grown(panels: readonly number[], { merges }: PageDocument): number[] {
   const groups = merges.filter((group) => group.some((panel) => panels.includes(panel)));
   return [...new Set([...panels, ...groups.flat()])].sort((a, b) => a - b);
-}
-
-/** @returns a reason, or an empty text if they can be merged */
-export function whyNotMerge(panels: readonly number[], page: PageDocument, { base, adjacent }: LayoutFacts): string {
-  if (panels.length < 2) return strings.merging.few;
-  if (panels.some((panel) => panel >= base)) return strings.merging.overlay;
-  const group = grown(panels, page);
-  if (page.merges.some((other) => other.length === group.length && other.includes(group[0])))
-    return strings.merging.already;
-  const reached = [group[0]];
-  // The list grows while it is walked.
-  for (const from of reached) {
-    const beside = adjacent.flatMap(([a, b]) => (a === from ? [b] : b === from ? [a] : []));
-    reached.push(...beside.filter((to) => group.includes(to) && !reached.includes(to)));
-  }
-  return reached.length === group.length ? '' : strings.merging.apart;
 }
 
 /** The groups that `Split` divides: groups with a selected panel, or all groups without a selection. */

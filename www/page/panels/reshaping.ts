@@ -5,7 +5,6 @@
 
 import { signal } from '@preact/signals';
 import { strings } from '../../strings/strings.ts';
-import { grown } from './merging.ts';
 import type { Pages } from '../../document/pages.ts';
 import type { Store } from '../../document/store.ts';
 import type { Bounds, LayoutChange } from '../../engine/types.ts';
@@ -67,15 +66,8 @@ export function createReshaping({ store, pages, seed }: { store: Store; pages: P
 
   /** @returns why those panels cannot become one; empty when they can */
   function cannotJoin(panels: readonly number[]): string {
-    const planner = store.planner.peek();
-    const page = store.page.value;
-    if (!planner || !page || panels.length < 2) return strings.merging.few;
-    try {
-      planner.changeLayout(page.layout, { type: 'join', panels: grown(panels, page) });
-      return '';
-    } catch {
-      return strings.notJoined;
-    }
+    const { join } = store.obstacles(panels) ?? { join: 'few' };
+    return join ? strings.merging[join] : '';
   }
 
   /** Joins panels to one. It shows the photo of the first panel, or of a locked one. */

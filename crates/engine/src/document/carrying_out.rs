@@ -8,12 +8,14 @@ use super::project::Sheet;
 use super::sheets::photos_on;
 use crate::error::Result;
 use crate::framing::Crop;
-use crate::layout::merge::{can_merge, merged_bounds};
+use crate::layout::join::join_panels;
+use crate::layout::merge::{Obstacle, merged_bounds, why_not_merge};
 use crate::layout::{PageSettings, enlarged, resolve};
 use crate::page::document::PanelContent;
 use crate::page::layouts::LayoutChange;
 use crate::page::request::{Keep, Mode, Request};
 use crate::page::{Document, LayoutRef, StyleRef, breaking};
+use serde::Serialize;
 use serde_json::Map;
 use std::sync::Arc;
 
@@ -104,10 +106,10 @@ impl Planning<'_> {
                 Ok(next.map(Outcome::Changed))
             }
             Intent::MergePanels { panels } => {
-                let group = grown(page, panels);
-                if page.merges.contains(&group) || !can_merge(&*page.template()?, &group) {
+                if obstacles(page, panels)?.merge.is_some() {
                     return Ok(None);
                 }
+                let group = grown(page, panels);
                 let mut next = page.clone();
                 next.merges.retain(|other| !other.iter().any(|panel| group.contains(panel)));
                 next.merges.push(group);
@@ -489,6 +491,41 @@ impl Planning<'_> {
     }
 }
 
+/// Why the user cannot combine some panels of a page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Obstacles {
+    /// Why they cannot share one image. Null if they can.
+    pub merge: Option<Obstacle>,
+    /// Why they cannot become one panel. Null if they can.
+    pub join: Option<Obstacle>,
+}
+
+impl Default for Obstacles {
+    fn default() -> Self {
+        Self { merge: Some(Obstacle::Few), join: Some(Obstacle::Few) }
+    }
+}
+
+/// Returns why the panels, with the panels that share an image with them, cannot be merged or joined.
+///
+/// # Errors
+/// `unknown-layout` and `invalid-layout`, if the page has no valid layout.
+pub fn obstacles(page: &Document, panels: &[usize]) -> Result<Obstacles> {
+    let group = grown(page, panels);
+    if panels.len() < 2 || group.len() < 2 {
+        return Ok(Obstacles::default());
+    }
+    let template = page.template()?;
+    let is_group = |other: &Vec<usize>| other.len() == group.len() && other.contains(&group[0]);
+    let merge = match page.merges.iter().any(is_group) {
+        true => Some(Obstacle::Already),
+        false => why_not_merge(&template, &group),
+    };
+    let join = join_panels(&template, &group).is_err().then_some(Obstacle::Uneven);
+    Ok(Obstacles { merge, join })
+}
+
 /// The given panels, and all panels that share an image with one of them, in ascending order.
 fn grown(page: &Document, panels: &[usize]) -> Vec<usize> {
     let groups = page.merges.iter().filter(|group| group.iter().any(|panel| panels.contains(panel)));
@@ -764,6 +801,25 @@ mod tests {
         assert!(desk.does(&json!({ "type": "split-panels", "panels": [3] })));
         assert!(desk.page().merges.is_empty());
         assert!(desk.page().panels.iter().all(|content| content.photo.is_some() && content.crop.is_some()));
+    }
+
+    #[test]
+    fn panels_that_cannot_be_combined_have_reasons() {
+        let mut page = Desk::new().page();
+        let why = |page: &Document, panels: &[usize]| {
+            let Obstacles { merge, join } = obstacles(page, panels).unwrap();
+            (merge, join)
+        };
+        let (few, uneven) = (Some(Obstacle::Few), Some(Obstacle::Uneven));
+        assert_eq!(why(&page, &[0]), (few, few));
+        assert_eq!(why(&page, &[2, 0]), (None, None));
+        assert_eq!(why(&page, &[0, 3]), (Some(Obstacle::Apart), uneven));
+        assert_eq!(why(&page, &[0, 9]), (Some(Obstacle::Overlay), uneven));
+        // Panels that share an image count together, also if the file lists them in another order.
+        page.merges = vec![vec![1, 0]];
+        assert_eq!(why(&page, &[0, 1]), (Some(Obstacle::Already), None));
+        assert_eq!(why(&page, &[1, 3]), (None, uneven));
+        assert_eq!(why(&page, &[1]), (few, few));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The editor of a project: applies edits, with undo and redo.
 
-use super::carrying_out::Outcome;
+use super::carrying_out::{Obstacles, Outcome, obstacles};
 use super::edit::{Edit, How, Shelf, Without};
 use super::history::{History, Shown};
 use super::intent::Intent;
@@ -8,7 +8,7 @@ use super::limits::{MOST_SHOWN, MOST_STEPS, PROJECT};
 use super::planning::{Known, Planning};
 use super::project::{List, Project, Sheet};
 use super::{invalid, kept, own, pages};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::json;
 use crate::layout::PageSettings;
 use crate::page::{CustomFile, Document};
@@ -152,6 +152,17 @@ impl Editor {
             }
         };
         Ok(page.to_json())
+    }
+
+    /// Returns why some panels of the current page cannot be merged or joined: [`Obstacles`] in JSON.
+    ///
+    /// # Errors
+    /// `invalid-document` for an invalid list, and errors of [`obstacles`].
+    pub fn obstacles_json(&self, panels: &str) -> Result<String> {
+        let panels: Vec<usize> = json::plain(panels, "panels")?;
+        let page = self.project().page();
+        let found = page.map_or_else(|| Ok(Obstacles::default()), |page| obstacles(page, &panels))?;
+        serde_json::to_string(&found).map_err(|error| Error::Encode(error.to_string()))
     }
 
     fn outcome(&self, intent: &Intent, photos: Vec<Known>) -> Result<Option<Outcome>> {

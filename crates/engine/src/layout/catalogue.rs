@@ -1,7 +1,7 @@
 //! The templates that ship with the program: every file of `layouts/`, embedded at build time.
 
 use crate::order::sort_by;
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::OnceLock;
 
 use super::template::Template;
 use crate::error::{Error, Result};
@@ -27,21 +27,9 @@ pub fn catalogue() -> &'static [Template] {
 }
 
 /// The templates that are good for a page of that aspect (width over height), in the order of [`catalogue`].
-///
-/// The last result is cached. Repeated shuffles use the same page, and this search takes longer than the rest
-/// of a plan.
 #[must_use]
 pub fn good_for(page_aspect: f64) -> Vec<&'static Template> {
-    static LAST: Mutex<Option<(f64, Vec<&Template>)>> = Mutex::new(None);
-    let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((aspect, templates)) = &*last
-        && aspect.to_bits() == page_aspect.to_bits()
-    {
-        return templates.clone();
-    }
-    let good: Vec<&Template> = catalogue().iter().filter(|template| template.good_for(page_aspect)).collect();
-    *last = Some((page_aspect, good.clone()));
-    good
+    catalogue().iter().filter(|template| template.good_for(page_aspect)).collect()
 }
 
 /// The template of that id.

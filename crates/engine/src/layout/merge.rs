@@ -4,6 +4,7 @@
 use super::polygon::{Bounds, Point, area, edges, hull};
 use super::resolve::ResolvedPanel;
 use super::template::{Shape, Template};
+use serde::Serialize;
 
 /// The least part of its hull that a union must fill to be merged unasked.
 const LEAST_CONVEX: f64 = 0.9;
@@ -11,6 +12,23 @@ const LEAST_CONVEX: f64 = 0.9;
 const MOST_COVERED: f64 = 0.67;
 /// The least common edge of two panels that touch, in unit coordinates; corners do not count.
 const LEAST_EDGE: f64 = 0.02;
+
+/// Why panels cannot share one photo, or become one panel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum Obstacle {
+    /// Fewer than two panels.
+    Few,
+    /// An overlay is one of them.
+    Overlay,
+    /// They share a photo already.
+    Already,
+    /// They do not touch along edges.
+    Apart,
+    /// No cuts can make one panel of them.
+    Uneven,
+}
 
 /// Which base panels touch along an edge: pairs of indices into [`Template::panels`], the smaller first.
 #[must_use]
@@ -47,13 +65,16 @@ pub fn mergeable(template: &Template) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Whether the user can merge these panels: two or more different base panels, connected by their edges.
-/// Their union may have any shape.
+/// Why the user cannot merge these panels. Two or more different base panels that are connected by their edges
+/// can be merged. Their union may have any shape.
 #[must_use]
-pub fn can_merge(template: &Template, group: &[usize]) -> bool {
+pub fn why_not_merge(template: &Template, group: &[usize]) -> Option<Obstacle> {
     let distinct = group.iter().enumerate().all(|(at, i)| !group[..at].contains(i));
-    if group.len() < 2 || !distinct || group.iter().any(|&i| i >= template.base_count()) {
-        return false;
+    if group.len() < 2 || !distinct {
+        return Some(Obstacle::Few);
+    }
+    if group.iter().any(|&i| i >= template.base_count()) {
+        return Some(Obstacle::Overlay);
     }
     let pairs = adjacent(template);
     let mut reached = vec![group[0]];
@@ -67,7 +88,7 @@ pub fn can_merge(template: &Template, group: &[usize]) -> bool {
         }
         next += 1;
     }
-    reached.len() == group.len()
+    (reached.len() < group.len()).then_some(Obstacle::Apart)
 }
 
 /// The rectangle around the merged panels on the page, including the gutters between them. The shared photo
@@ -123,9 +144,16 @@ mod tests {
         let grid = find("grid-4").unwrap();
         assert_eq!(adjacent(grid), [[0, 1], [0, 2], [1, 3], [2, 3]]);
         assert_eq!(mergeable(grid), [[0, 1], [0, 2], [1, 3], [2, 3]].map(|pair| pair.to_vec()));
-        assert!(can_merge(grid, &[0, 1, 3]));
-        for bad in [&[0, 3][..], &[0], &[], &[0, 0], &[0, 4]] {
-            assert!(!can_merge(grid, bad), "{bad:?}");
+        assert_eq!(why_not_merge(grid, &[0, 1, 3]), None);
+        let bad: [(&[usize], Obstacle); 5] = [
+            (&[0, 3], Obstacle::Apart),
+            (&[0], Obstacle::Few),
+            (&[], Obstacle::Few),
+            (&[0, 0], Obstacle::Few),
+            (&[0, 4], Obstacle::Overlay),
+        ];
+        for (group, why) in bad {
+            assert_eq!(why_not_merge(grid, group), Some(why), "{group:?}");
         }
     }
 
@@ -142,7 +170,7 @@ mod tests {
         let tree = r#"{"rows": ["panel", {"columns": ["panel", "panel"]}]}"#;
         let layout = template(tree);
         assert_eq!(mergeable(&layout), [vec![1, 2]]);
-        assert!(can_merge(&layout, &[0, 1]));
+        assert_eq!(why_not_merge(&layout, &[0, 1]), None);
     }
 
     #[test]

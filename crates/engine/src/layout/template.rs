@@ -195,12 +195,22 @@ impl Template {
                 }
                 Shape::Polygon(cell) => {
                     let cell: Vec<_> = cell.iter().map(|p| Point::new(p.x, p.y / page_aspect)).collect();
-                    (1.0 / tall..=wide).contains(&Bounds::of(&cell).aspect())
-                        && eroded(&cell, DEFAULT_GUTTER / 2.0)
-                            .is_some_and(|panel| thickness(&panel) >= LEAST_THICKNESS)
+                    (1.0 / tall..=wide).contains(&Bounds::of(&cell).aspect()) && is_thick(&cell)
                 }
             })
     }
+}
+
+/// Whether a convex cell has the least thickness between its gutters.
+fn is_thick(cell: &[Point]) -> bool {
+    let bounds = Bounds::of(cell);
+    let spare = bounds.width.min(bounds.height) - DEFAULT_GUTTER - LEAST_THICKNESS;
+    let is_level = |a: f64, b: f64| (a - b).abs() < f64::EPSILON;
+    // Most cells are rectangles, which need no polygons.
+    if spare.abs() > 1e-6 && edges(cell).all(|(a, b)| is_level(a.x, b.x) || is_level(a.y, b.y)) {
+        return spare > 0.0;
+    }
+    eroded(cell, DEFAULT_GUTTER / 2.0).is_some_and(|panel| thickness(&panel) >= LEAST_THICKNESS)
 }
 
 /// The radius of a circle, in page widths, on a page of another aspect than the template was drawn for. It
@@ -220,4 +230,23 @@ pub(super) fn base_cells(body: &Body) -> Vec<Vec<Point>> {
 /// The weight of a panel that its file does not weigh: its area in shares of an even page.
 pub(super) fn natural_weight(cell: &[Point], count: usize) -> f32 {
     (area(cell) * count as f64) as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rectangles_are_as_thick_as_the_complete_test_says() {
+        let templates = crate::layout::catalogue();
+        for aspect in (1..60).map(|i| f64::from(i) * 0.05) {
+            for panel in templates.iter().flat_map(|template| &template.panels) {
+                let Shape::Polygon(cell) = &panel.shape else { continue };
+                let cell: Vec<_> = cell.iter().map(|p| Point::new(p.x, p.y / aspect)).collect();
+                let complete = eroded(&cell, DEFAULT_GUTTER / 2.0)
+                    .is_some_and(|panel| thickness(&panel) >= LEAST_THICKNESS);
+                assert_eq!(is_thick(&cell), complete, "{cell:?}");
+            }
+        }
+    }
 }

@@ -5,7 +5,6 @@ use super::reference::LayoutRef;
 use crate::error::{Error, Result};
 use crate::layout::edit::{Cut, cuts, move_cut, place_overlay, remove_panel, split_panel};
 use crate::layout::join::join_panels;
-use crate::layout::merge::adjacent;
 use crate::layout::tree::Axis;
 use crate::layout::{
     Body, Bounds, PageSettings, PlacedPanel, ResolvedPanel, ResolvedShape, Template, generate, good_for,
@@ -70,8 +69,6 @@ pub struct LayoutFacts<'a> {
     pub good: bool,
     /// It is made of cuts.
     pub editable: bool,
-    /// Pairs of panels with a common edge.
-    pub adjacent: Vec<[usize; 2]>,
     /// The cuts between panels.
     pub cuts: Vec<Cut>,
 }
@@ -135,7 +132,6 @@ pub fn facts(json: &str) -> Result<String> {
         base: template.base_count(),
         good: template.good_for(page.aspect()),
         editable: matches!(template.body(), Body::Tree(_)),
-        adjacent: adjacent(&template),
         cuts: cuts(&template, page.aspect(), &page),
     })
 }
@@ -211,23 +207,6 @@ pub enum LayoutChange {
         /// Its new bounds on the page of the request, in page widths.
         bounds: Bounds,
     },
-}
-
-/// The template that the `LayoutChange` of `{layout, change, page}` makes of a layout. The page is only needed for insets.
-///
-/// # Errors
-/// As [`facts`]; `invalid-layout` for a change that the layout does not allow.
-pub fn changed(json: &str) -> Result<String> {
-    #[derive(Deserialize)]
-    struct Wanted {
-        layout: LayoutRef,
-        change: LayoutChange,
-        #[serde(default)]
-        page: PageSettings,
-    }
-    let Wanted { layout, change, page } = parse(json)?;
-    page.validate()?;
-    Ok(change.of(&*layout.template()?, &page)?.to_json())
 }
 
 impl LayoutChange {
@@ -335,31 +314,38 @@ mod tests {
         assert!(list(&json!({ "page": tall, "own": [{ "id": 3 }] }).to_string()).is_err());
     }
 
+    fn changed(layout: &Value, change: Value) -> Result<Value> {
+        let layout: LayoutRef = serde_json::from_value(layout.clone()).unwrap();
+        let change: LayoutChange = serde_json::from_value(change).unwrap();
+        let made = change.of(&*layout.template()?, &PageSettings::default())?;
+        Ok(serde_json::from_str(&made.to_json()).unwrap())
+    }
+
     #[test]
     fn a_changed_layout_is_a_layout_like_any_other() {
         let cut = json!({ "type": "move-cut", "cut": 0, "fraction": 0.4, "slant": 0.1 });
-        let moved = ask(&json!({ "layout": "grid-4", "change": cut }), changed);
+        let moved = changed(&json!("grid-4"), cut).unwrap();
         let facts = ask(&json!({ "layout": moved, "page": PageSettings::default() }), facts);
         assert_eq!((&facts["family"], &facts["count"]), (&json!("custom"), &json!(4)));
         assert!((facts["cuts"][0]["fraction"].as_f64().unwrap() - 0.4).abs() < 1e-3);
         assert!((facts["cuts"][0]["slant"].as_f64().unwrap() - 0.1).abs() < 1e-3);
         assert_eq!(ask(&json!({ "layout": moved }), file), moved);
-        let split = json!({ "type": "split", "panel": 1, "axis": "rows" });
-        let more = ask(&json!({ "layout": moved, "change": split }), changed);
+        let more = changed(&moved, json!({ "type": "split", "panel": 1, "axis": "rows" })).unwrap();
         assert_eq!(ask(&json!({ "layout": more }), super::facts)["count"], json!(5));
-        let fewer = ask(&json!({ "layout": more, "change": { "type": "remove", "panel": 0 } }), changed);
+        let fewer = changed(&more, json!({ "type": "remove", "panel": 0 })).unwrap();
         assert_eq!(ask(&json!({ "layout": fewer }), super::facts)["count"], json!(4));
     }
 
     #[test]
     fn what_cannot_be_done_is_an_error() {
-        let code = |of: Value| changed(&of.to_string()).unwrap_err().code();
-        let remove = |panel: usize| json!({ "type": "remove", "panel": panel });
-        assert_eq!(code(json!({ "layout": "grid-4", "change": remove(9) })), "invalid-layout");
-        assert_eq!(code(json!({ "layout": "mosaic-y", "change": remove(0) })), "invalid-layout");
-        assert_eq!(code(json!({ "layout": "nope", "change": remove(0) })), "unknown-layout");
-        let split = json!({ "type": "split", "panel": 0, "axis": "diagonal" });
-        assert_eq!(code(json!({ "layout": "grid-4", "change": split })), "invalid-document");
-        assert_eq!(code(json!({ "layout": "grid-4", "change": { "type": "fold" } })), "invalid-document");
+        let code = |layout: &str, panel: usize| {
+            changed(&json!(layout), json!({ "type": "remove", "panel": panel })).unwrap_err().code()
+        };
+        assert_eq!(code("grid-4", 9), "invalid-layout");
+        assert_eq!(code("mosaic-y", 0), "invalid-layout");
+        assert_eq!(code("nope", 0), "unknown-layout");
+        for bad in [json!({ "type": "split", "panel": 0, "axis": "diagonal" }), json!({ "type": "fold" })] {
+            assert!(serde_json::from_value::<LayoutChange>(bad).is_err());
+        }
     }
 }

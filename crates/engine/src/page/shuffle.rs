@@ -9,7 +9,7 @@ use super::request::{Mode, Request};
 use super::styling::{choose_style, papered};
 use crate::error::{Error, Result};
 use crate::framing::PhotoMeta;
-use crate::layout::merge::{can_merge, mergeable};
+use crate::layout::merge::{mergeable, why_not_merge};
 use crate::layout::{Template, Whole, whole};
 use crate::plan::assign::Photos;
 use crate::plan::layouts::{self, Wanted};
@@ -225,7 +225,7 @@ fn merges_of(
         return Ok(vec![Vec::new()]);
     }
     if let Some(groups) = &request.merges {
-        if let Some(bad) = groups.iter().find(|group| !can_merge(template, group)) {
+        if let Some(bad) = groups.iter().find(|group| why_not_merge(template, group).is_some()) {
             let reason = format!("panels {bad:?} do not touch each other");
             return Err(Error::InvalidDocument { location: "merges".into(), reason });
         }

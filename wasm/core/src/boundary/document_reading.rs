@@ -1,7 +1,6 @@
 //! Opens projects: reads and checks them completely, or rejects them with a message.
 
 use inkpanel_engine::document::file::ProjectFile;
-use inkpanel_engine::document::kept;
 use inkpanel_engine::error::Result;
 use wasm_bindgen::prelude::*;
 
@@ -16,11 +15,4 @@ pub fn read_project(json: &str, prefix: Option<String>) -> Result<String> {
         None => project,
     };
     Ok(project.write())
-}
-
-/// Reads a history with tables from the browser's database (see `document::kept`) and normalises it, with a
-/// list of dropped parts. Throws as `read_project`.
-#[wasm_bindgen]
-pub fn read_history(json: &str) -> Result<String> {
-    kept::parse(json).map(|(history, dropped)| kept::write(&history, &dropped))
 }

@@ -52,6 +52,12 @@ impl Editor {
         self.hands.preview_json(edit, album.used()?)
     }
 
+    /// Returns why some panels of the current page cannot be merged or joined. `panels`: a list in JSON. Returns
+    /// `{merge, join}`, each a reason, or null if nothing prevents it.
+    pub fn obstacles(&self, panels: &str) -> Result<String> {
+        self.hands.obstacles_json(panels)
+    }
+
     /// The complete history with tables, as input of `load`.
     #[must_use]
     pub fn save(&self) -> String {

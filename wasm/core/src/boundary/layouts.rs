@@ -33,9 +33,3 @@ pub fn layout_file(json: &str) -> Result<String> {
 pub fn generate_layout(json: &str) -> Result<String> {
     layouts::generated(json)
 }
-
-/// The template after `{layout, change}`.
-#[wasm_bindgen]
-pub fn change_layout(json: &str) -> Result<String> {
-    layouts::changed(json)
-}
