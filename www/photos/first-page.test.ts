@@ -52,6 +52,24 @@ describe('the first page', () => {
     expect(store.history.value.shown.length).toBe(1);
   });
 
+  test('has a sketch for the sizes in the headers of its photos', async () => {
+    class Picture {
+      naturalWidth = 900;
+      naturalHeight = 1600;
+      onload = () => {};
+      set src(_: string) {
+        queueMicrotask(() => this.onload());
+      }
+    }
+    vi.stubGlobal('Image', Picture);
+    const { store, reading, files } = app(() => true);
+    void reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(5);
+    vi.unstubAllGlobals();
+    expect(store.sketch.value).toBe(true);
+    expect(store.photos.value.map(({ width, height }) => `${width}x${height}`)).toEqual(ten.map(() => '900x1600'));
+  });
+
   test('keeps the layout of its sketch', async () => {
     const { store, reading, files, planner, release } = app(() => true);
     void reading.addFiles(files(...ten));
