@@ -1,5 +1,10 @@
-/** Sizes of photos from their headers: the browser reads them before it decodes a photo. */
+/**
+ * Sizes of photos from the headers of JPEG and PNG files, before the photos are decoded. Other formats are unknown until
+ * then. Source: ITU-T T.81, annex B; PNG (third edition), 11.2.1.
+ */
 
+import { orientationOf } from '../engine/metadata/exif.ts';
+import { APP1, EXIF, SCAN } from '../engine/metadata/jpeg.ts';
 import { after } from '../engine/scheduler.ts';
 
 export type Size = { width: number; height: number };
@@ -8,12 +13,20 @@ export type Size = { width: number; height: number };
 const WAIT = 100;
 /** Maximum number of files, which is enough for a first page. */
 const MOST = 40;
+/** Maximum bytes before the end of the header: it follows the metadata. */
+const HEAD = 128 * 2 ** 10;
+const [JPEG, PNG, IHDR] = [0xffd8, 0x89504e47, 0x49484452];
+/** Markers in the range of frames that begin tables and extensions. */
+const NO_FRAME = [0xc4, 0xc8, 0xcc];
 
 /**
  * @param read reads the size of one file
  * @returns the sizes that are known in time
  */
-export async function sizesOf(files: readonly File[], read = sizeOf): Promise<ReadonlyMap<File, Size>> {
+export async function sizesOf(
+  files: readonly File[],
+  read: (file: File) => Promise<Size | null> = sizeOf,
+): Promise<ReadonlyMap<File, Size>> {
   const sizes: Map<File, Size> = new Map();
   const all = files.slice(0, MOST).map(async (file) => {
     const size = await read(file).catch(() => null);
@@ -28,14 +41,31 @@ export async function sizesOf(files: readonly File[], read = sizeOf): Promise<Re
   return new Map(sizes);
 }
 
-/** The upright size of a photo, or null if the browser cannot read its format. */
-async function sizeOf(file: File): Promise<Size | null> {
-  if (typeof Image === 'undefined') return null;
-  const url = URL.createObjectURL(file);
-  const image = new Image();
-  return new Promise<Size | null>((resolve) => {
-    image.onload = () => resolve({ width: image.naturalWidth, height: image.naturalHeight });
-    image.onerror = () => resolve(null);
-    image.src = url;
-  }).finally(() => URL.revokeObjectURL(url));
+/**
+ * @returns the size of the upright photo, or null if it is unknown
+ * @throws `RangeError` if the header is truncated
+ */
+export async function sizeOf(file: Blob): Promise<Size | null> {
+  const bytes = new Uint8Array(await file.slice(0, HEAD).arrayBuffer());
+  const view = new DataView(bytes.buffer);
+  if (view.getUint32(0) === PNG && view.getUint32(12) === IHDR)
+    return { width: view.getUint32(16), height: view.getUint32(20) };
+  return view.getUint16(0) === JPEG ? sizeOfJpeg(view, bytes) : null;
+}
+
+function sizeOfJpeg(view: DataView, bytes: Uint8Array): Size | null {
+  let orientation = 1;
+  for (let at = 2; view.getUint8(at) === 0xff; at += 2 + view.getUint16(at + 2)) {
+    const marker = view.getUint8(at + 1);
+    if (marker === SCAN) return null;
+    const from = at + 4;
+    const begins = (text: string) => [...text].every((letter, i) => bytes[from + i] === letter.charCodeAt(0));
+    if (marker === APP1 && begins(EXIF)) orientation = orientationOf(bytes.subarray(from + EXIF.length));
+    if (marker >= 0xc0 && marker <= 0xcf && !NO_FRAME.includes(marker)) {
+      const [height, width] = [view.getUint16(from + 1), view.getUint16(from + 3)];
+      // From 5 on, an orientation swaps the sides.
+      return orientation < 5 ? { width, height } : { width: height, height: width };
+    }
+  }
+  return null;
 }
