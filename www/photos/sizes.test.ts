@@ -58,3 +58,26 @@ test('the size of a PNG file is in its first chunk', async () => {
     view.setUint32(at, value);
   expect(await sizeOf(new Blob([bytes]))).toEqual({ width: 300, height: 500 });
 });
+
+test('the size of a WebP file is in its first chunk', async () => {
+  const webp = (chunk: string, at: number, ...bytes: number[]) => {
+    const head = new Uint8Array(32);
+    for (const [place, text] of [
+      [0, 'RIFF'],
+      [8, 'WEBP'],
+      [12, chunk],
+    ] as const)
+      head.set(
+        [...text].map((letter) => letter.charCodeAt(0)),
+        place,
+      );
+    head.set(bytes, at);
+    return sizeOf(new Blob([head]));
+  };
+  const size = { width: 900, height: 1600 };
+  expect(await webp('VP8 ', 26, 132, 3, 64, 6)).toEqual(size);
+  expect(await webp('VP8X', 24, 131, 3, 0, 63, 6, 0)).toEqual(size);
+  // 14 bits each: 899 and 1599.
+  expect(await webp('VP8L', 21, ...new Uint8Array(Uint32Array.of(899 | (1599 << 14)).buffer))).toEqual(size);
+  expect(await webp('ANIM', 24, 1)).toBe(null);
+});

@@ -1,6 +1,6 @@
 /**
- * Sizes of photos from the headers of JPEG and PNG files, before the photos are decoded. Other formats are unknown until
- * then. Source: ITU-T T.81, annex B; PNG (third edition), 11.2.1.
+ * Sizes of photos from the headers of JPEG, PNG and WebP files, before the photos are decoded. Other formats are unknown
+ * until then. Source: ITU-T T.81, annex B; PNG (third edition), 11.2.1; RFC 9649.
  */
 
 import { orientationOf } from '../engine/metadata/exif.ts';
@@ -15,7 +15,9 @@ const WAIT = 100;
 const MOST = 40;
 /** Maximum bytes before the end of the header: it follows the metadata. */
 const HEAD = 128 * 2 ** 10;
-const [JPEG, PNG, IHDR] = [0xffd8, 0x89504e47, 0x49484452];
+const [JPEG, PNG, IHDR, WEBP] = [0xffd8, 0x89504e47, 0x49484452, 0x57454250];
+/** First chunks of a WebP file: lossy, lossless, extended. */
+const [VP8, VP8L, VP8X] = [0x56503820, 0x5650384c, 0x56503858];
 /** Markers in the range of frames that begin tables and extensions. */
 const NO_FRAME = [0xc4, 0xc8, 0xcc];
 
@@ -50,7 +52,18 @@ export async function sizeOf(file: Blob): Promise<Size | null> {
   const view = new DataView(bytes.buffer);
   if (view.getUint32(0) === PNG && view.getUint32(12) === IHDR)
     return { width: view.getUint32(16), height: view.getUint32(20) };
+  if (view.getUint32(8) === WEBP) return sizeOfWebp(view);
   return view.getUint16(0) === JPEG ? sizeOfJpeg(view, bytes) : null;
+}
+
+function sizeOfWebp(view: DataView): Size | null {
+  const low14 = (at: number) => view.getUint16(at, true) & 0x3fff;
+  const chunk = view.getUint32(12);
+  if (chunk === VP8) return { width: low14(26), height: low14(28) };
+  const low24 = (at: number) => view.getUint32(at, true) & 0xffffff;
+  if (chunk === VP8X) return { width: 1 + low24(24), height: 1 + low24(27) };
+  if (chunk === VP8L) return { width: 1 + low14(21), height: 1 + ((view.getUint32(21, true) >>> 14) & 0x3fff) };
+  return null;
 }
 
 function sizeOfJpeg(view: DataView, bytes: Uint8Array): Size | null {
