@@ -314,6 +314,63 @@ fn a_tail_points_to_the_mouth_that_was_found() {
 }
 
 #[test]
+fn a_tail_ends_before_the_head_of_an_animal_without_a_face() {
+    for (x, width) in [(0.1, 0.8), (0.0, 0.7), (0.3, 0.7)] {
+        let cat = Subject { label: "cat".into(), x, y: 0.2, width, height: 0.8, ..face(0.0, 0.0) };
+        for text in ["Look!", "Did you hear that?", "We could have taken the train, you know."] {
+            let page = page_of(&said(&[(text, None)], std::slice::from_ref(&cat)));
+            let laid = lay_all(&page, &letters()).unwrap().remove(0);
+            let frame = Ground::new(&page).unwrap().panels[0].bounds;
+            let tip = laid.tip.unwrap_or(laid.middle);
+            let at = ((tip.x - frame.x) / frame.width, (tip.y - frame.y) / frame.height);
+            // The head is in the middle of the upper half. A balloon next to it has a short tail.
+            let head = (x + 0.25 * width..x + 0.75 * width, 0.22..0.55);
+            let before = !head.0.contains(&at.0) || !head.1.contains(&at.1);
+            let (a, b) = laid.setting.half;
+            let away =
+                ((tip.x - laid.middle.x).abs() / a).powf(2.4) + ((tip.y - laid.middle.y).abs() / b).powf(2.4);
+            let length = tip.distance(laid.middle) * (1.0 - away.powf(-1.0 / 2.4));
+            assert!(before || length < 0.02, "{text} at {at:?}, cat at {x}");
+        }
+    }
+}
+
+#[test]
+fn the_whole_tail_avoids_other_faces() {
+    let letters = letters();
+    let mut tails = 0;
+    for number in 0..60 {
+        let part = |step: usize, of: usize| (number * step % of) as f64 / of as f64;
+        let faces = [
+            face(0.1 + 0.7 * part(7, 13), 0.45 + 0.35 * part(5, 11)),
+            face(0.75 * part(3, 17), 0.2 + 0.4 * part(11, 7)),
+        ];
+        let said = said(&[("We could have taken the train, you know.", None), ("No.", None)], &faces);
+        let page = page_of(&said);
+        let frame = Ground::new(&page).unwrap().panels[0].bounds;
+        for index in 0..2 {
+            tails += usize::from(page.words[index].tail.is_some());
+            let patch = draw::render(&page, index, 620, &letters).unwrap();
+            for Subject { x, y, width, height, .. } in &faces {
+                let inside = |px: usize, py: usize| {
+                    let right = (patch.area.x as f64 + px as f64 + 0.5) / 620.0;
+                    let down = (patch.area.y as f64 + py as f64 + 0.5) / 620.0;
+                    let (right, down) = ((right - frame.x) / frame.width, (down - frame.y) / frame.height);
+                    (*x..x + width).contains(&right) && (*y..y + height).contains(&down)
+                };
+                let opaque = |px: usize, py: usize| patch.rgba[(py * patch.area.width + px) * 4 + 3] > 127;
+                let covered = (0..patch.area.height)
+                    .flat_map(|py| (0..patch.area.width).map(move |px| (px, py)))
+                    .filter(|&(px, py)| opaque(px, py) && inside(px, py))
+                    .count();
+                assert_eq!(covered, 0, "page {number}, word {index}: {:?}", page.words);
+            }
+        }
+    }
+    assert!(tails > 60, "{tails}");
+}
+
+#[test]
 fn balloons_of_others_stay_apart() {
     let faces = [face(0.3, 0.6)];
     let names = |one, other| links(&said(&[("Who is it?", one), ("Me.", other)], &faces));

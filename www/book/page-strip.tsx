@@ -15,7 +15,7 @@ import { PageThumb } from './page-thumb.tsx';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 
-/** @param props `bare`: a single page has only the button for another page */
+/** @param props `bare`: a single page has only the buttons for another page and a book */
 export function PageStrip({ bare = false }: { bare?: boolean }) {
   const { store, book } = useApp();
   if (store.page.value === null) return null;
@@ -24,12 +24,12 @@ export function PageStrip({ bare = false }: { bare?: boolean }) {
 
 function Alone({ bare }: { bare: boolean }) {
   const { store, book, ui } = useApp();
-  const offers = !bare && store.reading.value === null && book.areManyLeft.value;
+  const offers = store.reading.value === null && book.areManyLeft.value;
   return (
     <section class="book" aria-label={strings.book.name} data-several="false">
       <AddPage />
       {offers && <MakeBook />}
-      {offers && <SpreadAlbum />}
+      {offers && !bare && <SpreadAlbum />}
       {!ui.wide.value && <BookProgress />}
     </section>
   );

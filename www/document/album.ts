@@ -15,6 +15,7 @@ export type Absent = Likeness & { subjects: readonly Subject[] | null; measured:
  * - `video`, `time` and `shot` of a video frame: the video key, seconds, and the shot number from 1
  * - `looked`: whether subject detection is done
  * - `absent`: the missing photo that this frame represents, and its properties
+ * - `size`: the size from the header of the file, for the time until the photo was read
  */
 export type Fact = {
   id: string;
@@ -27,6 +28,7 @@ export type Fact = {
   shot?: number;
   looked?: boolean;
   absent?: Absent;
+  size?: { width: number; height: number };
 };
 export type Album = ReadonlyMap<string, Fact>;
 
@@ -46,11 +48,10 @@ export type Video = {
 };
 
 /** Preliminary measurements of a photo that is still being read, so that the planner can place it at once. */
-export function unreadMeta(id: string): PhotoMeta {
+export function unreadMeta(id: string, size: Fact['size'] = { width: 1500, height: 1000 }): PhotoMeta {
   return {
     id,
-    width: 1500,
-    height: 1000,
+    ...size,
     fingerprint: unlike(id),
     sharpness: 0,
     taken: null,

@@ -131,8 +131,8 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     const list = facts.value.filter(({ id }) => used.has(id));
     // During an import the order of the files stays, because each new photo would rearrange the page.
     const dated = !reading.value && isDated.value;
-    return (dated ? chronological(list) : list).map(({ id, meta, video, absent }) => {
-      const known = meta ?? unreadMeta(id);
+    return (dated ? chronological(list) : list).map(({ id, meta, video, absent, size }) => {
+      const known = meta ?? unreadMeta(id, size);
       const { focus, starred, mask } = items.get(id) ?? {};
       const more = {
         ...((focus || starred || mask) && { focus: focus ?? null, starred: starred ?? false }),

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
-import { FIRST, LITTER, ROUND, createExplorer } from './explorer.ts';
+import { FAIR, FIRST, LITTER, ROUND, createExplorer } from './explorer.ts';
 import { createWall, near } from './explorer-wall.ts';
 import { fakeApp } from '../document/testing.ts';
 
@@ -121,6 +121,19 @@ describe('the explorer', () => {
     expect(again.ids()).toEqual(ids());
     await again.explorer.generate(PHOTO);
     expect(again.ids()).not.toContain(`invented-${76 + 2 * ROUND}`);
+  });
+
+  it('goes on until a fair number of styles is added, and stops if there are none', async () => {
+    const few = (style: any) => ({ ...looks(style), fault: style.seed % 6 === 0 ? '' : 'pale' });
+    const { explorer, ids } = await hung(few);
+    expect(ids().length).toBeGreaterThanOrEqual(FAIR);
+    expect(ids().length + explorer.dropped.value).toBe(2 * ROUND);
+    const again = await hung(few);
+    expect(again.ids()).toEqual(ids());
+    await explorer.generate(PHOTO);
+    expect(ids().slice(0, again.ids().length)).toEqual(again.ids());
+    const none = await hung((style) => ({ ...looks(style), fault: 'pale' }));
+    expect([none.ids(), none.explorer.progress.value]).toEqual([[], null]);
   });
 
   it('leaves out what is empty, and what looks like another', async () => {

@@ -40,6 +40,11 @@ const TOGETHER = 24;
 /** Points that neon colours or bleached areas everywhere cost on the first wall. */
 const HARSH = 100;
 export const ROUND = 240;
+/** Number of styles that one press tries to add in at most this many rounds. */
+export const FAIR = 48;
+const MAX_ROUNDS = 4;
+/** Number of styles of a round below which another round is not worth its time. */
+const HOPELESS = 12;
 /** Number of children of two styles, and of variations of one style. `TRIES` limits the attempts. */
 export const LITTER = 12;
 const TRIES = 48;
@@ -166,9 +171,17 @@ export function createExplorer({
     await invent(photo, FIRST_TRIES, { enough: FIRST, together: TOGETHER });
   }
 
-  /** Invents another round. */
+  /** Invents another round, and more rounds if few styles are good. Whole rounds keep the seeds of the next ones. */
   async function generate(photo: Photo) {
-    if (await redraw(photo)) await invent(photo, ROUND);
+    if (!(await redraw(photo))) return;
+    let added = 0;
+    for (let round = 0; round < MAX_ROUNDS && added < FAIR; round += 1) {
+      const before = new Set(wall.items.peek().map(({ style }) => style.id));
+      if (!(await invent(photo, ROUND))) return;
+      const fresh = wall.items.peek().filter(({ style }) => !before.has(style.id)).length;
+      if (fresh < HOPELESS) return;
+      added += fresh;
+    }
   }
 
   /** @param how `enough`: number of styles to add (default: all); `together`: number of styles that are shown at once */

@@ -52,6 +52,16 @@ describe('the first page', () => {
     expect(store.history.value.shown.length).toBe(1);
   });
 
+  test('has a sketch for the sizes in the headers of its photos', async () => {
+    const { store, reading } = app(() => true);
+    // The header of a portrait: 900 by 1600 pixels.
+    const head = Uint8Array.from([0xff, 0xd8, 0xff, 0xc0, 0, 8, 8, 6, 64, 3, 132, 3]);
+    void reading.addFiles(ten.map((name) => new File([head], name)));
+    await vi.advanceTimersByTimeAsync(50);
+    expect(store.sketch.value).toBe(true);
+    expect(store.photos.value.map(({ width, height }) => `${width}x${height}`)).toEqual(ten.map(() => '900x1600'));
+  });
+
   test('keeps the layout of its sketch', async () => {
     const { store, reading, files, planner, release } = app(() => true);
     void reading.addFiles(files(...ten));

@@ -13,11 +13,12 @@ import { inFolderOrder } from './folders.ts';
 import { FRAMES, createFrames } from './frames.ts';
 import { createIntake } from './intake.ts';
 import { MOST } from '../document/limits.ts';
+import { sizesOf } from './sizes.ts';
 import { exifThumbnail } from '../engine/exif-thumbnail.ts';
 import { photosOn } from '../engine/sheets.ts';
 import { fetchSamples } from './samples.ts';
 import type { Messages } from '../ui/messages.ts';
-import type { Video } from '../document/album.ts';
+import type { Fact, Video } from '../document/album.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Action } from '../document/project.ts';
 import type { PlaceNames } from './place-names.ts';
@@ -129,7 +130,10 @@ export function createReading({
     // One after the other, so that the memory holds at most one of them.
     for (const file of given.filter(mayMove)) moving.set(file, (await pictureEnds(file)).length);
     const films = await filmsAmong(given);
-    const first = store.tray.peek().length === 0;
+    const isEmpty = () => store.tray.peek().length === 0;
+    // The first page keeps the layout of its sketch, so the sketch must suit the photos.
+    const sizes = isEmpty() ? await sizesOf(given.filter((file) => !films.has(file))) : undefined;
+    const first = isEmpty();
     // As one change: hundreds one by one would each be looked at by all that depends on the album.
     let room = MOST.photos - store.tray.peek().length;
     const sources = batch(() =>
@@ -137,7 +141,7 @@ export function createReading({
         const frames = framesOf(moving.get(file) ?? 0, films.has(file));
         if (Math.max(1, frames) > room) return [];
         room -= Math.max(1, frames);
-        return [sourceOf(file, credits?.get(file.name), frames)];
+        return [sourceOf(file, frames, { credit: credits?.get(file.name), size: sizes?.get(file) })];
       }),
     );
     if (sources.length < given.length)
@@ -178,10 +182,10 @@ export function createReading({
   }
 
   /** @param count of its frames */
-  function sourceOf(file: File, credit: string | undefined, count: number): Source {
+  function sourceOf(file: File, count: number, more: Pick<Fact, 'credit' | 'size'>): Source {
     const video = count > 0 ? frames.open(file, { frames: count }) : null;
     const ids = video ? video.ids : intake.freshIds(1);
-    for (const id of ids) store.know({ id, name: file.name, credit, meta: null, measures: null });
+    for (const id of ids) store.know({ id, name: file.name, meta: null, measures: null, ...more });
     return { file, ids, video };
   }
 

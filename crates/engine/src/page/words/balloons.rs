@@ -54,16 +54,28 @@ fn oval(a: f64, b: f64, tip: Option<Point>) -> Vec<Point> {
     let middle = towards(a, b, tip);
     let mut points = around(a, b, middle, foot(a, b, middle));
     let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return points };
-    // It leaves the balloon steeply and turns to the speaker.
-    let side = if tip.x * tip.y > 0.0 { -1.0 } else { 1.0 };
-    let bend = |foot: Point| {
-        let (dx, dy) = (tip.x - foot.x, tip.y - foot.y);
-        Point::new(foot.x + 0.5 * dx - side * BEND * dy, foot.y + 0.5 * dy + side * BEND * dx)
-    };
-    curve(&mut points, last, bend(last), tip);
-    curve(&mut points, tip, bend(first), first);
+    curve(&mut points, last, bend(last, tip), tip);
+    curve(&mut points, tip, bend(first, tip), first);
     points.pop();
     points
+}
+
+/// Control point of one side of a tail, which leaves the balloon steeply and turns to the speaker.
+fn bend(foot: Point, tip: Point) -> Point {
+    let side = if tip.x * tip.y > 0.0 { -1.0 } else { 1.0 };
+    let (dx, dy) = (tip.x - foot.x, tip.y - foot.y);
+    Point::new(foot.x + 0.5 * dx - side * BEND * dy, foot.y + 0.5 * dy + side * BEND * dx)
+}
+
+/// The two sides of the tail of an oval balloon: each begins at the balloon, passes its middle and ends at the
+/// tip.
+pub(super) fn sides(a: f64, b: f64, tip: Point) -> [[Point; 3]; 2] {
+    let middle = towards(a, b, tip);
+    let half = foot(a, b, middle);
+    [middle - half, middle + half].map(|angle| {
+        let from = at(a, b, angle);
+        [from, from.toward(tip, 0.5).toward(bend(from, tip), 0.5), tip]
+    })
 }
 
 /// Uneven spikes with hollow sides; the one to the speaker reaches as far as the tail points.
@@ -188,6 +200,18 @@ mod tests {
                 let shapes = outline(shape, 100.0, 60.0, Some(tip));
                 assert_eq!(shapes.len(), 1);
                 assert!(shapes[0].iter().any(|point| point.distance(tip) < 1e-9), "{shape:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_sides_of_a_tail_are_on_its_outline() {
+        for (x, y) in [(40.0, 160.0), (-180.0, 90.0), (220.0, 30.0), (0.0, -150.0)] {
+            let tip = Point::new(x, y);
+            let points = &outline(Shape::Oval, 100.0, 60.0, Some(tip))[0];
+            for place in sides(100.0, 60.0, tip).into_iter().flatten() {
+                let near = points.iter().map(|point| point.distance(place)).fold(f64::MAX, f64::min);
+                assert!(near < 8.0, "{place:?} is {near} from the outline");
             }
         }
     }

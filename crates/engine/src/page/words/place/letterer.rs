@@ -14,8 +14,12 @@
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); Thawonmas and Shuda, "Comic layout for automatic comic
 //! generation from game log" (2008), for faces and order as constraints.
 
-use super::{Figure, INSET, Scenery, Seen, above, center, contains, covered, gap, hidden, panel_of, shared};
+use super::{
+    Class, Figure, INSET, Scenery, Seen, above, center, contains, covered, gap, hidden, panel_of, reaches,
+    shared,
+};
 use crate::layout::{Bounds, Point, ResolvedPanel};
+use crate::page::words::balloons;
 use crate::page::words::fitting::LEGIBLE_ON_SCREENS;
 use crate::page::words::layout::{Ground, Laid};
 use crate::page::words::letters::Letters;
@@ -46,6 +50,9 @@ const NEAR: f64 = 60.0;
 const BODY: f64 = 60.0;
 /// Cost of covering an object: a detected one, and one that is the subject of its photo.
 const THING: (f64, f64) = (3.0, 12.0);
+/// Estimated head of a person or an animal: width, and height, as shares of its width. The head is at most half
+/// of its height.
+const HEAD_SIZE: (f64, f64) = (0.6, 0.8);
 /// Minimum size for easy reading, in page widths: 6 points on A4.
 const LEGIBLE: f64 = 0.0101;
 /// Maximum number of speaking faces in a panel.
@@ -199,7 +206,7 @@ fn one_mouth(one: (&TextItem, &Place), other: (&TextItem, &Place), speakers: &[(
 /// The faces that may speak, the likeliest first: large ones, that were surely seen.
 fn speakers(seen: &[Seen]) -> Vec<(usize, f64)> {
     let size = |seen: &Seen| seen.bounds.width * seen.bounds.height * (0.5 + 0.5 * seen.score);
-    let faces = || seen.iter().enumerate().filter(|(_, seen)| seen.face);
+    let faces = || seen.iter().enumerate().filter(|(_, seen)| seen.class == Class::Face);
     let largest = faces().map(|(_, seen)| size(seen)).fold(1e-12, f64::max);
     let mut likely: Vec<(usize, f64)> =
         faces().map(|(i, seen)| (i, 2.2 * (1.0 - (size(seen) / largest).sqrt()))).collect();
@@ -324,7 +331,11 @@ impl Room<'_> {
             let free = |bounds: Bounds| entry(from, end, bounds) > 1.0;
             let words = group.iter().zip(places).filter(|(i, _)| **i != index && **i != to);
             from.distance(end) <= LONGEST_NECK
-                && self.seen.iter().filter(|seen| seen.face).all(|seen| free(grown(seen.bounds, 0.006)))
+                && self
+                    .seen
+                    .iter()
+                    .filter(|seen| seen.class == Class::Face)
+                    .all(|seen| free(grown(seen.bounds, 0.006)))
                 && self.page.taken.iter().all(|(_, area)| free(*area))
                 && words.map(|(_, place)| place.area).all(free)
         };
@@ -431,14 +442,18 @@ impl Room<'_> {
         let mut nearest = size;
         for seen in self.seen {
             let body = seen.bounds.width * seen.bounds.height;
-            let part = cover(area, if seen.face { grown(seen.bounds, 0.004) } else { seen.bounds }, round);
-            if seen.face {
+            let part = cover(
+                area,
+                if seen.class == Class::Face { grown(seen.bounds, 0.004) } else { seen.bounds },
+                round,
+            );
+            if seen.class == Class::Face {
                 if part > 0.0 {
                     cost += FORBIDDEN + 4.0 * FORBIDDEN * part / own.min(body).max(1e-12);
                 }
                 nearest = nearest.min(gap(area, seen.bounds));
             } else if !seen.masked {
-                let weight = if seen.person { BODY } else { THING.0 };
+                let weight = if seen.class == Class::Person { BODY } else { THING.0 };
                 cost += weight * (part / own + 4.0 * part / body.max(1e-12));
             }
         }
@@ -537,33 +552,76 @@ impl Room<'_> {
             let tip = foot.toward(mouth, along);
             let ideal = 0.1 * size;
             let far = (way - ideal).max(0.0) / size + 0.5 * (ideal - way).max(0.0) / size;
-            let crossed = self.crossed(foot, tip, mouth, face);
+            let crossed = self.crossed(foot, tip, mouth, face) + self.grazed(area, tip);
             let cost = cost + unlikely + short + 4.5 * far + crossed;
             out.push(Place { tip: Some(tip), foot, speaker: Some(face), cost, ..bare });
         }
         if self.speakers.is_empty() {
-            let target = self.largest().unwrap_or_else(|| {
+            let (target, head) = self.largest();
+            let target = target.unwrap_or_else(|| {
                 Point::new(self.frame.x + self.frame.width / 2.0, self.frame.y + 0.72 * self.frame.height)
             });
             let foot = edge(area, target);
             let way = foot.distance(target);
-            let length = TAIL.1.max(REACH.min(0.5) * way).min(0.9 * way).min(3.0 * TAIL.1);
+            let mut length = TAIL.1.max(REACH.min(0.5) * way).min(0.9 * way).min(3.0 * TAIL.1);
+            if let Some(head) = head {
+                // As with a face, the tail ends before it. The estimate is too vague to keep balloons off it.
+                length = length.min((entry(foot, target, head) * way).max(TAIL.0));
+            }
             // A balloon above its target has no tail.
             let inside = ((target.x - center(area).x) / area.width).abs() < 0.5
                 && ((target.y - center(area).y) / area.height).abs() < 0.5;
             let tip = (!inside).then(|| foot.toward(target, length / way.max(1e-9)));
             let far = (way - 0.1 * size).abs() / size;
-            out.push(Place { tip, foot, cost: cost + 2.0 * far + if inside { 6.0 } else { 0.0 }, ..bare });
+            let grazed = tip.map_or(0.0, |tip| self.grazed(area, tip));
+            let cost = cost + 2.0 * far + if inside { 6.0 } else { 0.0 } + grazed;
+            out.push(Place { tip, foot, cost, ..bare });
         }
     }
 
     /// Returns the position of the head of the largest person or animal, or of the largest object without
-    /// them.
-    fn largest(&self) -> Option<Point> {
-        let size =
-            |seen: &&Seen| seen.bounds.width * seen.bounds.height * if seen.person { 4.0 } else { 1.0 };
-        let largest = self.seen.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?.bounds;
-        Some(Point::new(largest.x + largest.width / 2.0, largest.y + 0.25 * largest.height))
+    /// them, and the estimated bounds of the head.
+    fn largest(&self) -> (Option<Point>, Option<Bounds>) {
+        let size = |seen: &&Seen| {
+            seen.bounds.width * seen.bounds.height * if seen.class == Class::Person { 4.0 } else { 1.0 }
+        };
+        let Some(seen) = self.seen.iter().max_by(|a, b| size(a).total_cmp(&size(b))) else {
+            return (None, None);
+        };
+        let Bounds { x, y, width, height } = seen.bounds;
+        let middle = x + width / 2.0;
+        let wide = HEAD_SIZE.0 * width;
+        let head = Bounds {
+            x: middle - wide / 2.0,
+            y,
+            width: wide,
+            height: (height / 2.0).min(HEAD_SIZE.1 * width),
+        };
+        (
+            Some(Point::new(middle, y + 0.25 * height)),
+            matches!(seen.class, Class::Person | Class::Animal).then_some(head),
+        )
+    }
+
+    /// Cost of a tail whose sides touch a face, or that lies on another panel. The line of the tail may pass
+    /// next to them.
+    fn grazed(&self, area: Bounds, tip: Point) -> f64 {
+        let faces = || self.seen.iter().filter(|seen| seen.class == Class::Face);
+        if self.above.is_empty() && faces().next().is_none() {
+            return 0.0;
+        }
+        let middle = center(area);
+        let (a, b) = (area.width / 2.0, area.height / 2.0);
+        let sides = balloons::sides(a, b, Point::new(tip.x - middle.x, tip.y - middle.y))
+            .map(|side| side.map(|point| Point::new(middle.x + point.x, middle.y + point.y)));
+        let touches = |face: &Seen| {
+            // Rounding at the tip is not a touch.
+            let within = grown(face.bounds, -1e-4);
+            sides.iter().flat_map(|side| side.windows(2)).any(|part| entry(part[0], part[1], within) <= 1.0)
+        };
+        let covers = |point: &Point| self.above.iter().any(|panel| reaches(&panel.shape, *point, panel.halo));
+        let touched = faces().filter(|face| touches(face)).count() as f64;
+        FORBIDDEN * (touched + f64::from(sides.iter().flatten().any(covers)))
     }
 
     /// Cost of everything that a tail crosses, and of pointing at another face first.
@@ -571,7 +629,7 @@ impl Room<'_> {
         let mut cost = 0.0;
         let head = self.seen[speaker].bounds;
         for (i, seen) in self.seen.iter().enumerate().filter(|(i, _)| *i != speaker) {
-            if seen.face {
+            if seen.class == Class::Face {
                 if entry(foot, tip, grown(seen.bounds, 0.004)) < 1.0 {
                     cost += FORBIDDEN;
                 } else if entry(foot, mouth, seen.bounds) < 1.0 && shared(seen.bounds, head) <= 0.0 {
@@ -580,7 +638,9 @@ impl Room<'_> {
                     // Readers expect the nearest mouth to speak.
                     cost += 24.0;
                 }
-            } else if seen.person && shared(self.seen[i].bounds, head) < 0.5 * head.width * head.height {
+            } else if seen.class == Class::Person
+                && shared(self.seen[i].bounds, head) < 0.5 * head.width * head.height
+            {
                 // The tail crosses another subject.
                 cost += 4.0 * inside(foot, tip, seen.bounds);
             }

@@ -48,12 +48,20 @@ impl<'s> From<&'s PhotoMeta> for Known<'s> {
     }
 }
 
+/// Class of a detected object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Class {
+    Face,
+    Person,
+    Animal,
+    Thing,
+}
+
 /// A detected object, in page coordinates.
 #[derive(Debug, Clone, Copy)]
 struct Seen {
     bounds: Bounds,
-    face: bool,
-    person: bool,
+    class: Class,
     score: f64,
     /// The middle of its mouth.
     mouth: Point,
@@ -199,7 +207,7 @@ struct Spot {
     x: f64,
     y: f64,
     tail: Option<Tail>,
-    /// The new room. `None`: the room stays.
+    /// The new room. `None`: the room is unchanged.
     #[allow(clippy::option_option, reason = "unchanged, removed, or a new value")]
     room: Option<Option<(f64, f64)>>,
 }
@@ -286,18 +294,22 @@ fn see<'s>(
         if seen <= 0.3 * bounds.width * bounds.height {
             continue;
         }
-        let face = subject.label == FACE;
+        let class = match subject.label.as_str() {
+            FACE => Class::Face,
+            "person" => Class::Person,
+            _ if subject.is_alive() => Class::Animal,
+            _ => Class::Thing,
+        };
         let held = figure.as_mut().filter(|figure| figure.inside(bounds) > SAME * seen);
         // Lettering in the photo is never a body.
-        let masked = held.is_some() && !face && subject.label != LETTERING;
+        let masked = held.is_some() && class != Class::Face && subject.label != LETTERING;
         if let Some(figure) = held {
             figure.alive |= subject.is_alive();
         }
-        let person = subject.label == "person";
         let [x, y] = subject.mouth();
         let Bounds { x, y, .. } = place(x, y, 0.0, 0.0);
         let mouth = Point::new(x, y);
-        scenery.seen.push(Seen { bounds, face, person, score: subject.score, mouth, masked });
+        scenery.seen.push(Seen { bounds, class, score: subject.score, mouth, masked });
     }
     scenery.figures.extend(figure);
 }
@@ -361,7 +373,7 @@ fn hidden(area: Bounds, round: bool, above: &[&ResolvedPanel]) -> f64 {
 
 /// Returns whether a text item hides a face, or is over another panel.
 fn is_in_the_way(area: Bounds, scenery: &Scenery, above: &[&ResolvedPanel]) -> bool {
-    let faces = scenery.seen.iter().filter(|seen| seen.face).map(|seen| seen.bounds);
+    let faces = scenery.seen.iter().filter(|seen| seen.class == Class::Face).map(|seen| seen.bounds);
     let mut covers = faces.map(|face| shared(area, face) / (face.width * face.height).max(1e-12));
     hidden(area, true, above) > FAR || covers.any(|part| part > FAR)
 }
@@ -406,6 +418,12 @@ mod tests {
             for (word, area) in placed_words(&document, &letters) {
                 let part = hidden(area, true, &above(&word, &ground));
                 assert!(part <= 0.0, "{layout}, panel {:?}: {part} of {:?} is hidden", word.panel, word.text);
+                let laid = ground.lay(word.clone(), &letters);
+                let Some(tip) = laid.tip else { continue };
+                let covers = |point: Point| {
+                    above(&word, &ground).iter().any(|panel| reaches(&panel.shape, point, panel.halo))
+                };
+                assert!(!covers(tip), "{layout}, panel {:?}: the tail is on another panel", word.panel);
             }
         }
     }
