@@ -28,7 +28,7 @@ type Lru = ReturnType<typeof createLru>;
  * @param passing photos that are video frames and not shown yet: a long video has a hundred, a page shows a few
  */
 export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<Operations> {
-  /** Keys of photos of which the studio has only a draft. */
+  /** Keys of photos whose pixels in the studio are a draft. */
   const drafts = new Set<string>();
 
   return {

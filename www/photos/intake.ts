@@ -177,7 +177,7 @@ export function createIntake({
     messages.alert(missing > 0 ? strings.photoDamaged({ name, share }) : strings.photoCoarse({ name, share }));
   }
 
-  /** The measurements that replace those of a draft. Faces that were found in it stay until they are found again. */
+  /** Replaces the measurements of a draft. Its faces stay until detection finds them in the photo. */
   function replacing({ meta: draft }: Fact, meta: Omit<Imported['meta'], 'damage'>): Partial<Fact> {
     const found = draft?.subjects.filter(({ label }) => label !== 'lettering') ?? [];
     return { meta: { ...meta, subjects: [...found, ...meta.subjects] }, measures: meta.measures };

@@ -18,7 +18,7 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
   const objects: string[] = [];
   const painted = signal(false);
   const nets = { asked: 0, ready: true };
-  /** Photos of which only a draft was read. */
+  /** Ids of drafts. */
   const drafts = new Set<string>();
   const engine = {
     hasPhoto: () => true,

@@ -68,7 +68,7 @@ export async function preview(page) {
 export async function invent(page) {
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
-  // The photo of all thumbnails depends on what was detected so far.
+  // Detection may change the photo of all thumbnails.
   await page.getByRole('button', { name: 'Draw the gallery on macaw.jpg' }).click();
   await page.locator('.dial-more summary').click();
   const seed = page.getByRole('spinbutton', { name: 'Seed' });
