@@ -15,7 +15,6 @@ import { modelsOf } from '../painters/references.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { Listbox } from '../ui/listbox.tsx';
-import { versions } from '../document/history.ts';
 import { freshSeed } from '../document/pages.ts';
 import { usePageGlimpse } from '../ui/glimpse.tsx';
 import type { Style } from '../engine/types.ts';
@@ -61,7 +60,7 @@ export function StylesList() {
 
   return (
     <>
-      <div class="style-search" data-first={versions(store.history.value).length < 2}>
+      <div class="style-search" data-first={store.versions.value.length < 2}>
         <ActionButton action={actions.imitation.open} class="button small" text />
         <input
           type="search"
