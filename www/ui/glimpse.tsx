@@ -3,7 +3,7 @@
  * is only visual. Escape and any click hide it.
  */
 
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from './bitmap.tsx';
 import { useApp } from './context.ts';
@@ -27,12 +27,42 @@ type Side = 'page' | 'beside';
 
 /** Milliseconds of rest on a choice before it is drawn, because users who move across a list want to see the list. */
 const REST = 220;
-/** Keys that choose. */
+/** Keys that choose, and keys that hide a preview. */
 const CHOOSES = ['Enter', ' '];
+const HIDES = [...CHOOSES, 'Escape'];
 /** Minimum movement of a pointer that moves on, in CSS pixels. */
 const MOVED = 2;
 
 type Pointed = { id: string; at: DOMRect };
+type Position = { x: number; y: number };
+
+/** The last position of the pointer; NaN before it moved. */
+let pointer: Position = { x: NaN, y: NaN };
+/**
+ * Position of the pointer when the user chose something. Elements that then appear under the resting pointer, or get the
+ * focus, show nothing. Null after the next movement or key.
+ */
+let chose: Position | null = null;
+watchChoices();
+
+/** Notes choices from the start, because a click may also open the list with the previews. */
+function watchChoices() {
+  const how = { capture: true, passive: true };
+  const choose = () => {
+    chose = pointer;
+  };
+  const onKeyDown = ({ key }: KeyboardEvent) => {
+    chose = CHOOSES.includes(key) ? pointer : null;
+  };
+  const onMove = ({ type, clientX: x, clientY: y }: PointerEvent) => {
+    pointer = { x, y };
+    if (chose && (type === 'pointerdown' || !(Math.hypot(x - chose.x, y - chose.y) <= MOVED))) chose = null;
+  };
+  window.addEventListener('click', choose, how);
+  window.addEventListener('keydown', onKeyDown, how);
+  // The browser also sends `pointerover` for elements that appear under the resting pointer.
+  for (const type of ['pointerover', 'pointermove', 'pointerdown'] as const) window.addEventListener(type, onMove, how);
+}
 
 /**
  * @param make returns the preview of the choice with that id; null for no preview
@@ -53,41 +83,18 @@ export function useGlimpse(
     return after(glimpsed ? 0 : rest, () => setGlimpsed(make(pointed.id)));
   }, [pointed?.id]);
 
-  /** The last position of the pointer; NaN before it moved. */
-  const pointer = useRef({ x: NaN, y: NaN });
-  /**
-   * Position of the pointer when the user chose something. Elements that then appear under the resting pointer, or get
-   * the focus, show nothing. Null after the next movement or key.
-   */
-  const chose = useRef(null as { x: number; y: number } | null);
   useEffect(() => {
     const stop = new AbortController();
     const how = { capture: true, passive: true, signal: stop.signal };
-    const choose = () => {
-      chose.current = pointer.current;
-      setPointed(null);
-    };
-    const onKeyDown = ({ key }: KeyboardEvent) => {
-      chose.current = null;
-      if (CHOOSES.includes(key)) choose();
-      else if (key === 'Escape') setPointed(null);
-    };
-    const onMove = ({ type, clientX: x, clientY: y }: PointerEvent) => {
-      pointer.current = { x, y };
-      const from = chose.current;
-      if (from && (type === 'pointerdown' || !(Math.hypot(x - from.x, y - from.y) <= MOVED))) chose.current = null;
-    };
-    window.addEventListener('click', choose, how);
-    window.addEventListener('keydown', onKeyDown, how);
-    // The browser also sends `pointerover` for elements that appear under the resting pointer.
-    for (const type of ['pointerover', 'pointermove', 'pointerdown'] as const)
-      window.addEventListener(type, onMove, how);
+    const hide = () => setPointed(null);
+    window.addEventListener('click', hide, how);
+    window.addEventListener('keydown', ({ key }) => HIDES.includes(key) && hide(), how);
     return () => stop.abort();
   }, []);
 
   const point: Point = (id, element) => {
     if (id === null || !element) setPointed(null);
-    else if (chose.current === null) setPointed({ id, at: element.getBoundingClientRect() });
+    else if (chose === null) setPointed({ id, at: element.getBoundingClientRect() });
   };
   return {
     point,

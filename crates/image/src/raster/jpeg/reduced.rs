@@ -63,7 +63,7 @@ pub(super) fn reduced(bytes: &[u8], longest: usize) -> Option<Reduced> {
         Some((made(component.blocks.0, unit.0)?, made(component.blocks.1, unit.1)?, largest))
     };
     let samples: Vec<_> = (0..header.components.len()).map(samples).collect::<Option<_>>()?;
-    // Of a block with one sample only the first coefficient is needed.
+    // A block that becomes one sample needs only its first coefficient.
     let steps: Vec<_> = (header.components.iter().zip(&samples))
         .map(|(component, &(wide, high, _))| {
             let others = header.others.get(component.tables.1)?.as_ref()?;
