@@ -146,6 +146,17 @@ describe('words', () => {
     expect(lettering.words.value[0].text).toBe('été');
   });
 
+  test('the list shows the text that is typed, and the page the text that is accepted', async () => {
+    await lettering.add('caption');
+    lettering.write(0, 'old');
+    lettering.editing.value = 0;
+    expect(lettering.textOf(0)).toBe('old');
+    lettering.typed.value = 'new';
+    expect([lettering.textOf(0), lettering.words.value[0].text]).toEqual(['new', 'old']);
+    lettering.editing.value = -1;
+    expect(lettering.textOf(0)).toBe('old');
+  });
+
   test('a drag is one step, and what was moved stays where it is through every shuffle', async () => {
     await lettering.add('balloon');
     const steps = past();

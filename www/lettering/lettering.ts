@@ -3,7 +3,7 @@
  * step. The core places the other text items again whenever the page changes, so that they hide no face.
  */
 
-import { computed, signal } from '@preact/signals';
+import { computed, effect, signal, untracked } from '@preact/signals';
 import { language, strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
 import { sheetsOf } from '../engine/sheets.ts';
@@ -59,6 +59,11 @@ export function createLettering({
   const chosen = computed(() => (marked.value < words.value.length ? marked.value : -1));
   /** The text item that is being edited. */
   const editing = signal(-1);
+  /** Its text in the field. The page has it after the edit. */
+  const typed = signal('');
+  effect(() => {
+    typed.value = untracked(() => words.value)[editing.value]?.text ?? '';
+  });
   const mode: Signal<Mode | null> = signal(null);
   /** Words of photos that no page shows. */
   const waiting = computed(() => store.project.value.waiting ?? []);
@@ -70,6 +75,8 @@ export function createLettering({
     reading,
     chosen,
     editing,
+    typed,
+    textOf,
     mode,
     rested: planning.rested,
     loading: planning.loading,
@@ -100,6 +107,11 @@ export function createLettering({
     step,
     pageAt,
   };
+
+  /** The text of an item, as far as it is typed. */
+  function textOf(index: number): string {
+    return index === editing.value ? typed.value : words.value[index].text;
+  }
 
   /** Returns the box of a text item with another text; null without glyphs. */
   function measured(index: number, text: string): WordBox | null {

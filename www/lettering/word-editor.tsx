@@ -94,9 +94,10 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       data-capitals={capitals(word)}
       style={{ ...place, '--fill': box.fill, '--ink': box.color }}
       onKeyDown={press}
-      onInput={({ currentTarget: { value } }) =>
-        isEffect && value.trim() !== '' && lettering.edit(index, { text: value.trim() }, gesture)
-      }
+      onInput={({ currentTarget: { value } }) => {
+        lettering.typed.value = value;
+        if (isEffect && value.trim() !== '') lettering.edit(index, { text: value.trim() }, gesture);
+      }}
       onBlur={(event) => end(event.currentTarget.value, false)}
       onClick={(event) => event.stopPropagation()}
       onPointerDown={(event) => event.stopPropagation()}

@@ -87,7 +87,7 @@ function List() {
             >
               <b aria-hidden="true">{at + 1}</b>
               <Icon name={words[index].kind} />
-              <span>{words[index].text}</span>
+              <span>{lettering.textOf(index)}</span>
             </button>
             {index === chosen && order.length > 1 && (
               <>

@@ -110,7 +110,8 @@ function toolsFor({
   const wide = ui.wide.value;
   const shown = wide ? SHOWN.most : SHOWN.small;
   if (!facts) return null;
-  const word = lettering.words.value[lettering.chosen.value];
+  const index = lettering.chosen.value;
+  const word = lettering.words.value[index];
   if (word) {
     const { edit, format, smaller, larger, pointTail, remove, place, move, removeTail } = actions.text;
     const tail = word.kind === 'balloon' ? [pointTail] : [];
@@ -119,7 +120,7 @@ function toolsFor({
     const tools = wide ? [edit, smaller, larger, ...tail, remove] : [edit, format, smaller, larger, remove, ...tail];
     return {
       kind: 'text',
-      title: strings.word({ kind: strings.wordKind[word.kind], text: word.text }),
+      title: strings.word({ kind: strings.wordKind[word.kind], text: lettering.textOf(index) }),
       tools: [...tools, place, move, ...more],
       shown: SHOWN.most,
     };

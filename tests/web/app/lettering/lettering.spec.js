@@ -164,6 +164,7 @@ test('text is written in its balloon, and is at least 10 pixels high', async ({ 
   expect(editor.height).toBeLessThan(1.8 * balloon.height);
   // A long word stays in one line, whatever font the system has.
   await field.fill('Hippopotamuses!');
+  await expect(page.getByRole('list', { name: 'Text on the page' })).toContainText('Hippopotamuses!');
   expect(await field.evaluate((area) => area.scrollWidth - area.clientWidth)).toBe(0);
   expect(await field.evaluate((area) => getComputedStyle(area).overflowWrap)).toBe('normal');
   await field.fill('Where have you been?');
