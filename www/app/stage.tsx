@@ -2,6 +2,7 @@
  * The page, as large as the window allows: a canvas, and over it one focusable element a panel.
  */
 
+import { useComputed } from '@preact/signals';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { screenPixels } from '../ui/bitmap.tsx';
@@ -82,7 +83,11 @@ export function Stage() {
     if (ui.painted.value === page && about) say(about);
   }, [ui.painted.value, page, about]);
 
-  // The number of imported photos is a dependency: panels fill during the import.
+  const drafts = useComputed(() => {
+    const shown = new Set(store.page.value?.panels.map(({ photo }) => photo));
+    return store.facts.value.flatMap(({ id }) => (shown.has(id) && engine.isDraft(id) ? id : [])).join();
+  }).value;
+  // The number of imported photos is a dependency: panels fill during the import. Photos also replace drafts.
   const read = store.reading.value?.done;
   const sketch = store.sketch.value;
   const thumbnails = store.thumbnails.value;
@@ -90,7 +95,7 @@ export function Stage() {
   const subjects = useSubjectsOf(page);
   useLayoutEffect(() => {
     if (page && geometry && width > 0) painter.current?.show(page, geometry, pixels, reshaping.editing.peek());
-  }, [page, geometry, pixels, read, sketch, thumbnails, subjects]);
+  }, [page, geometry, pixels, read, drafts, sketch, thumbnails, subjects]);
 
   const next = ahead.page.value;
   useLayoutEffect(() => {

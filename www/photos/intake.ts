@@ -66,7 +66,7 @@ export function createIntake({
     const draft =
       store.sketch.peek() && isShown(id) ? engine.importDraft(id, file, { priority: Priority.PAGE, signal }) : null;
     const drafted = draft !== null && (await showDraft(id, draft));
-    let last = false;
+    let isCounted = true;
     // A photo on the page is read even if the user cancels.
     const call = drafted
       ? { priority: Priority.VIEW }
@@ -93,11 +93,12 @@ export function createIntake({
       store.originals.delete(id);
       leaveOut([id]);
       if (drafted && 'error' in read && !store.sketch.peek()) pages.refit({ grow: false, silent: true });
-      last = isLast();
-      if (!last) count(1, 0);
+      isCounted = !drafted && !isLast();
+      if (isCounted) count(1, 0);
     });
-    if (!last) return;
-    // The next step is as much work as drawing the last photo, so it is a separate task.
+    if (isCounted) return;
+    // The next step is as much work as drawing the last photo, so it is a separate task. The page begins to replace a
+    // draft before.
     await nextTask();
     count(1, 0);
   }

@@ -118,8 +118,8 @@ describe('the first photos', () => {
     // Photos that the user sees are read in any case.
     app.reading.cancel();
     read();
-    await done;
     await vi.advanceTimersByTimeAsync(1_000);
+    await done;
     expect(signals).toEqual([undefined, undefined, undefined]);
     expect(app.store.album.value.get('p1')?.measures).toEqual({ twin: 0 });
     // A draft does not hide that its photo cannot be read or is damaged.

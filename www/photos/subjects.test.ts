@@ -129,7 +129,6 @@ describe('subjects', () => {
     expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face]);
     read();
     await done;
-    expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face]);
     store.sketch.value = false;
     painted.value = true;
     await settle();

@@ -201,25 +201,6 @@ test('a preview covers neither Shuffle nor the photos', async ({ page }) => {
   await preview();
 });
 
-test('an element that appears below the resting pointer has no preview until the pointer moves', async ({ page }) => {
-  await openBoard(page, SAMPLES);
-  const tile = await page.getByRole('listbox', { name: 'Styles' }).getByRole('option').first().boundingBox();
-  const [x, y] = [(tile?.x ?? 0) + 20, (tile?.y ?? 0) + 20];
-  await page.mouse.move(0, 0);
-  await openStart(page);
-  await page.mouse.move(x, y);
-  await page.getByRole('button', { name: 'Try the sample album' }).press('Enter');
-  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
-  // Detection takes longer than the rest after which a preview appears.
-  await idle(page);
-  const option = page.getByRole('listbox', { name: 'Styles' }).locator('[role=option]:hover');
-  await expect(option).toHaveCount(1);
-  await expect(page.locator('.glimpse')).toHaveCount(0);
-  await page.mouse.move(0, 0);
-  await page.mouse.move(x, y, { steps: 3 });
-  await expect(page.locator('.glimpse')).toBeVisible();
-});
-
 for (const viewport of [
   { width: 1440, height: 900 },
   { width: 1280, height: 720 },
