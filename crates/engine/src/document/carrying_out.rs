@@ -518,10 +518,8 @@ pub fn obstacles(page: &Document, panels: &[usize]) -> Result<Obstacles> {
     }
     let template = page.template()?;
     let is_group = |other: &Vec<usize>| other.len() == group.len() && other.contains(&group[0]);
-    let merge = match page.merges.iter().any(is_group) {
-        true => Some(Obstacle::Already),
-        false => why_not_merge(&template, &group),
-    };
+    let merged = page.merges.iter().any(is_group).then_some(Obstacle::Already);
+    let merge = merged.or_else(|| why_not_merge(&template, &group));
     let join = join_panels(&template, &group).is_err().then_some(Obstacle::Uneven);
     Ok(Obstacles { merge, join })
 }
