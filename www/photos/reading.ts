@@ -129,10 +129,9 @@ export function createReading({
     const moving: Map<File, number> = new Map();
     // One after the other, so that the memory holds at most one of them.
     for (const file of given.filter(mayMove)) moving.set(file, (await pictureEnds(file)).length);
-    const films = await filmsAmong(given);
     const isEmpty = () => store.tray.peek().length === 0;
     // The first page keeps the layout of its sketch, so the sketch must suit the photos.
-    const sizes = isEmpty() ? await sizesOf(given.filter((file) => !films.has(file))) : undefined;
+    const [films, sizes] = await Promise.all([filmsAmong(given), isEmpty() ? sizesOf(given) : undefined]);
     const first = isEmpty();
     // As one change: hundreds one by one would each be looked at by all that depends on the album.
     let room = MOST.photos - store.tray.peek().length;
