@@ -4,7 +4,7 @@
 use oorandom::Rand64;
 
 use super::best_first;
-use super::prepared::{Kind, Prepared, Shelf, are_duplicates};
+use super::prepared::{Kind, Prepared, Shelf, are_duplicates, likeness};
 use super::slots::{Assignment, LEADS, Slot, touch};
 use super::turns::Turns;
 use super::utility::{Look, placed};
@@ -33,6 +33,8 @@ const LEAST_TONAL: f64 = 0.35;
 const BLURRED: f64 = 0.65;
 /// Factor of the quality of gray photos among photos with colours.
 const GRAY_QUALITY: f64 = 0.7;
+/// Number of photos of an album that can leave some out: two pages.
+const TO_SPARE: usize = 10;
 /// Number of photos whose mean quality leads are compared with.
 const TOP: usize = 2;
 /// Maximum share of the page for a bare photo.
@@ -171,6 +173,19 @@ impl<'a> Photos<'a> {
     pub fn are_duplicates(&self, a: usize, b: usize) -> bool {
         are_duplicates(&self.all[a], &self.all[b], self.duplicate_threshold)
     }
+
+    /// How much alike two photos are: 1 for near-duplicates, less for two photos of one moment. Photos of one moment
+    /// count only on the first page of an album with photos to spare. On later pages, each photo gets its turn.
+    #[must_use]
+    pub fn likeness(&self, a: usize, b: usize) -> f64 {
+        if self.are_duplicates(a, b) {
+            1.0
+        } else if self.turns.is_first_page() && self.drawn.len() >= TO_SPARE {
+            likeness(&self.all[a], &self.all[b])
+        } else {
+            0.0
+        }
+    }
 }
 
 /// Whether a photo is gray.
@@ -216,10 +231,16 @@ impl Worths {
     }
 
     /// Returns the best assignment of unused photos to the open slots, with a small random term and without
-    /// similar photos if possible. The result is the index of a photo for each open slot, or `None` if there
-    /// are too few photos.
+    /// photos whose likeness is at least `alike`, if possible. The result is the index of a photo for each open slot, or
+    /// `None` if there are too few photos.
     #[must_use]
-    pub fn solve(&self, photos: &Photos, order: Order, random: &mut Rand64) -> Option<Vec<usize>> {
+    pub fn solve(
+        &self,
+        photos: &Photos,
+        order: Order,
+        alike: f64,
+        random: &mut Rand64,
+    ) -> Option<Vec<usize>> {
         if self.fresh.len() < self.open.len() {
             return None;
         }
@@ -235,7 +256,7 @@ impl Worths {
         for _ in 0..self.fresh.len() - self.open.len() {
             let pairs = (0..chosen.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
             let twins = |&(a, b): &(usize, usize)| {
-                photos.are_duplicates(self.fresh[chosen[a]], self.fresh[chosen[b]])
+                photos.likeness(self.fresh[chosen[a]], self.fresh[chosen[b]]) >= alike
             };
             let Some((a, b)) = pairs.rev().find(twins) else { break };
             let weaker = if values[a][chosen[a]] < values[b][chosen[b]] { a } else { b };
@@ -309,7 +330,7 @@ pub fn assign(photos: &[PhotoMeta], slots: &[Slot], order: Order, seed: u64) -> 
     let shelf = Shelf::new(photos.len());
     let photos = Photos::new(photos, &[], Turns::default(), &shelf, &mut random);
     let worths = Worths::of(slots, &photos);
-    let chosen = chosen(slots, &worths, &photos, order, &mut random);
+    let chosen = chosen(slots, &worths, &photos, order, 1.0, &mut random);
     crops(slots, &chosen, &photos)
 }
 
@@ -319,10 +340,11 @@ pub(super) fn chosen(
     worths: &Worths,
     photos: &Photos,
     order: Order,
+    alike: f64,
     random: &mut Rand64,
 ) -> Vec<usize> {
     let mut chosen: Vec<Option<usize>> = slots.iter().map(Slot::photo).collect();
-    match worths.solve(photos, order, random) {
+    match worths.solve(photos, order, alike, random) {
         Some(found) => {
             for (&slot, photo) in worths.open.iter().zip(found) {
                 chosen[slot] = Some(photo);

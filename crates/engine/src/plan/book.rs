@@ -31,6 +31,8 @@ const MIN_USUAL: usize = 5;
 const TIGHT: usize = 5;
 /// Minimum number of photos between a full page and the border of its chapter, or 0 photos.
 const FEW: usize = 3;
+/// Loss of the first photo as the cover, because the next page begins with it.
+const OPENING: f64 = 0.2;
 /// Minimum fit of a photo that fills a page.
 const FULL_FIT: f64 = 0.45;
 /// Cost of a page, so that there are not more than needed.
@@ -127,7 +129,9 @@ pub fn outline(album: &Photos, wanted: &Wanted) -> Outline {
     let usual = if wanted.apart { wanted.most } else { photos.len().div_ceil(USUAL).max(MIN_USUAL) };
     let most = wanted.pages.unwrap_or(usual).clamp(1, wanted.most);
     let inner = kept(album, &chapters, most.saturating_sub(2).max(1) * MOST_OF_A_PAGE);
-    let Some(cover) = best(&inner, rate) else { return Outline { leaves: Vec::new(), chapters } };
+    // The first photo follows the cover, so another photo of nearly equal strength is the cover.
+    let as_cover = |i: usize| rate(i) - if inner.first() == Some(&i) { OPENING } else { 0.0 };
+    let Some(cover) = best(&inner, as_cover) else { return Outline { leaves: Vec::new(), chapters } };
     let mut leaves = vec![Leaf { role: Role::Cover, chapter: chapters[cover], photos: vec![cover] }];
     let end = (most > 2).then(|| closing(&inner, &chapters, (album, cover), rate)).flatten();
     let inner: Vec<usize> = inner.into_iter().filter(|photo| Some(*photo) != end).collect();

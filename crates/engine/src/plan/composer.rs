@@ -16,8 +16,11 @@ use super::turns::Turns;
 use super::utility::Look;
 use crate::framing::{PhotoMeta, closeup};
 
-/// Assignments that are tried for each candidate.
+/// Assignments that are tried for each candidate. Odd ones avoid photos of this likeness, even ones only near-duplicates.
 const TRIES: usize = 4;
+const APART: f64 = 0.7;
+/// Cost of two near-duplicates.
+const ALIKE: f64 = 0.8;
 /// Plans that are framed in earnest before one is drawn.
 const FINALISTS: usize = 4;
 /// Maximum number of finalists of one family of layouts.
@@ -124,8 +127,9 @@ pub fn compose(
         let worths = Worths::of(&candidate.slots, photos);
         // If every slot already has its photo, a second try gives the same result.
         let tries = if worths.open.is_empty() { 1 } else { TRIES };
-        for _ in 0..tries {
-            let chosen = chosen(&candidate.slots, &worths, photos, order, random);
+        for turn in 0..tries {
+            let apart = if turn % 2 == 1 { APART } else { 1.0 };
+            let chosen = chosen(&candidate.slots, &worths, photos, order, apart, random);
             let seen = looks(&candidate.slots, &chosen, photos);
             let score = score(candidate, &chosen, &seen, photos).total();
             match best.iter_mut().find(|(_, other, _)| candidates[*other].layout == candidate.layout) {
@@ -256,11 +260,8 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         for (j, &b) in chosen[..i].iter().enumerate() {
             // A repeated photo costs, unless the second crop is close.
             let again = |look: &Look| if look.near { -NEARER } else { 0.3 };
-            alike -= if a == b {
-                again(&seen[i]).min(again(&seen[j]))
-            } else {
-                0.8 * f64::from(u8::from(photos.are_duplicates(a, b)))
-            };
+            alike -=
+                if a == b { again(&seen[i]).min(again(&seen[j])) } else { ALIKE * photos.likeness(a, b) };
         }
     }
     let share = |slot: usize| sizes[slot] / sizes.len() as f64;

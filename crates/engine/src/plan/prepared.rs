@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 use std::rc::Rc;
 
 use super::best_first;
+use super::moments::Moment;
 use crate::framing::{Crop, FACE, FIGURE, LETTERING, PERSON_HEAD, PhotoMeta, SURE, Subject, Target, sketch};
 use crate::layout::Bounds;
 use crate::select::fingerprint::distance;
@@ -30,12 +31,18 @@ const DISPLAYED: f64 = 0.25;
 const NEAR: f64 = 0.02;
 /// Minimum value of a person or animal in a photo of kind `Alive`.
 const ALIVE: f64 = 0.3;
+/// Value of a person without a known face as a lead, and for the kind of photo. Such people are seen from behind or from far
+/// away.
+const BEHIND: (f64, f64) = (0.5, 0.7);
+/// Scores between which the value of a face rises: the back of a head can have 0.5. Least score of the face of a person.
+const DOUBTFUL: (f64, f64) = (0.35, 0.96);
+const KNOWN: f64 = 0.56;
 /// The part of the value of a face that a profile loses.
 const PROFILE: f64 = 0.2;
 /// The part that shut eyes lose.
 const SHUT: f64 = 0.25;
-/// Bonus of the second and of the third face.
-const GROUP: f64 = 0.06;
+/// Bonus of each face of a group after the first, and the number of faces with a bonus.
+const GROUP: (f64, usize) = (0.06, 4);
 /// The part of a photo that lettering covers on a document, and on a photo of a sign.
 const TEXT: f64 = 0.04;
 const SIGN: f64 = 0.02;
@@ -54,6 +61,12 @@ const RIVAL: (f64, f64) = (0.4, 0.6);
 /// The share of edges, and the chroma, below which a photo without subjects shows a wall or a grey sky.
 const BARE: f64 = 0.26;
 const GREY: f64 = 60.0;
+
+/// Two photos of one moment: differences of fingerprints in bits, mean differences of colours in grey levels, and times
+/// between them in seconds, at which they are certain and excluded.
+const BITS: (f64, f64) = (12.0, 26.0);
+const COLOURS: (f64, f64) = (5.0, 13.0);
+const SECONDS: (f64, f64) = (10.0, 120.0);
 
 /// A photo, ready to be put into many panels.
 #[derive(Debug, Clone, PartialEq)]
@@ -171,8 +184,11 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         s.is_animal()
             && people().any(|person| person.score >= RIVAL.0 && area(s).overlap(&area(person)) >= RIVAL.1)
     };
+    let is_known = |person: &Subject| faces().any(|face| face.score >= KNOWN && person.surrounds(face));
     let value = |s: &Subject| {
-        let sure = s.score.clamp(0.0, 1.0).sqrt() * if on_display(s) { DISPLAYED } else { 1.0 };
+        let score =
+            if s.label == FACE { (s.score - DOUBTFUL.0) / (DOUBTFUL.1 - DOUBTFUL.0) } else { s.score };
+        let sure = score.clamp(0.0, 1.0).sqrt() * if on_display(s) { DISPLAYED } else { 1.0 };
         let size = |full: f64| (side(s) / full).min(1.0);
         sure * match s.label.as_str() {
             // A small face without a person can be a false detection.
@@ -185,10 +201,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
                 (if owned { 1.0 } else { 0.4 }) * away * awake * (0.4 + 0.4 * size(0.14) + 0.2 * size(0.28))
             }
             // A person without a face is seen from behind, or is a passer-by.
-            "person" => {
-                let known = faces().any(|face| s.surrounds(face));
-                (if known { 0.85 } else { 0.7 }) * size(0.42).powf(0.7)
-            }
+            "person" => (if is_known(s) { 0.85 } else { BEHIND.0 }) * size(0.42).powf(0.7),
             _ if s.is_alive() => 0.95 * (if is_doubtful(s) { 0.4 } else { 1.0 }) * (0.15 + 0.85 * size(0.35)),
             label if VEHICLES.contains(&label) => 0.5 * size(0.45),
             // A sign must be readable, but is rarely the main subject.
@@ -199,10 +212,14 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         }
     };
     let best = subjects.iter().map(|s| value(s)).fold(0.0, f64::max);
-    let alive = subjects.iter().any(|s| s.is_alive() && value(s) >= ALIVE);
+    let least = |s: &Subject| match s.label.as_str() {
+        "person" if !is_known(s) => ALIVE * BEHIND.0 / BEHIND.1,
+        _ => ALIVE,
+    };
+    let alive = subjects.iter().any(|s| s.is_alive() && value(s) >= least(s));
     let tallest = faces().map(|face| face.height).fold(0.0, f64::max);
     let group = faces().filter(|face| face.height >= 0.5 * tallest && side(face) >= 0.03).count();
-    let bonus = GROUP * group.saturating_sub(1).min(2) as f64;
+    let bonus = GROUP.0 * group.saturating_sub(1).min(GROUP.1) as f64;
     // Detectors report screenshots and receipts as a phone or television that fills the photo, and see faces in them.
     let is_screen = |s: &Subject| SCREENS.contains(&s.label.as_str()) && side(s) > 0.95;
     let sure = subjects.iter().any(|s| s.is_alive() && (s.label != FACE || s.score > SURE));
@@ -267,6 +284,29 @@ pub fn worth_showing(photos: &[PhotoMeta], duplicate_threshold: u32) -> usize {
 /// Whether two photos are near-duplicates: their fingerprints differ in at most `threshold` bits.
 pub(super) fn are_duplicates(a: &PhotoMeta, b: &PhotoMeta, threshold: u32) -> bool {
     distance(a.fingerprint, b.fingerprint) <= threshold
+}
+
+/// How certainly two photos show one moment, 0 to 1: similar fingerprints, and similar colours or close times. Frames of a
+/// video show an action, so they are exempt.
+pub(super) fn likeness(a: &PhotoMeta, b: &PhotoMeta) -> f64 {
+    if a.frame && b.frame || a.fingerprint == 0 || b.fingerprint == 0 {
+        return 0.0;
+    }
+    let near = |(same, other): (f64, f64), apart: f64| ((other - apart) / (other - same)).clamp(0.0, 1.0);
+    let colours = match (&a.facts, &b.facts) {
+        (Some(a), Some(b)) => {
+            let apart = a.colours.iter().zip(b.colours).map(|(a, b)| f64::from(a.abs_diff(b)));
+            near(COLOURS, apart.sum::<f64>() / a.colours.len() as f64)
+        }
+        _ => 0.0,
+    };
+    let moment = |photo: &PhotoMeta| photo.taken.as_deref().and_then(Moment::parse);
+    let time = match (moment(a), moment(b)) {
+        (Some(a), Some(b)) => near(SECONDS, a.seconds.abs_diff(b.seconds) as f64),
+        _ => 0.0,
+    };
+    let bits = near(BITS, f64::from(distance(a.fingerprint, b.fingerprint)));
+    (bits * colours.max(time)).sqrt()
 }
 
 fn is_sound(s: &Subject) -> bool {
@@ -398,6 +438,40 @@ mod tests {
         assert_eq!(kind(735, "0000000c", 0.05), Kind::Document);
         assert_eq!(kind(735, "000c0000", 0.3), Kind::Alive, "a portrait");
         assert_eq!(kind(900, "000c0000", 0.05), Kind::Alive, "an upright photo");
+    }
+
+    #[test]
+    fn two_photos_of_one_moment_are_alike_by_bits_and_colours_or_times() {
+        let shot = |bits: u32, colours: &str, second: u32| {
+            let mut shot = photo(1600, 1067, 60);
+            let facts = format!("\"{}606018{colours}\"", "10".repeat(16));
+            shot.facts = Some(serde_json::from_str(&facts).unwrap());
+            shot.fingerprint = u64::MAX << bits;
+            shot.taken = Some(format!("2024:05:17 10:{:02}:{:02}", second / 60, second % 60));
+            shot
+        };
+        let first = shot(0, "808080808080", 0);
+        let to_first = |bits, colours, second| likeness(&first, &shot(bits, colours, second));
+        assert!(to_first(16, "808080848484", 900) > 0.7);
+        assert!(to_first(16, "c0c0c0c0c0c0", 8) > 0.7, "seconds later, in other light");
+        assert!(to_first(16, "c0c0c0c0c0c0", 900) < 1e-9, "other light, later");
+        assert!(to_first(30, "808080808080", 3) < 1e-9, "another view");
+        assert!(to_first(20, "808080848484", 900) < to_first(16, "808080848484", 900));
+        let frame = |bits| PhotoMeta { frame: true, ..shot(bits, "808080808080", 0) };
+        assert!(likeness(&frame(0), &frame(16)) < 1e-9, "frames of an action");
+    }
+
+    #[test]
+    fn people_from_behind_count_less_and_are_still_people() {
+        let person = |score: f64| {
+            let mut photo = photo(1600, 1067, 60);
+            let face = (score > 0.0).then(|| subject(FACE, score, [0.45, 0.15, 0.06, 0.09]));
+            photo.find([subject("person", 0.9, [0.35, 0.1, 0.25, 0.8])].into_iter().chain(face));
+            care(&photo)
+        };
+        let ((behind, kind), (doubtful, _), (known, _)) = (person(0.0), person(0.52), person(0.9));
+        assert!(behind < 0.7 * known && doubtful < 0.7 * known, "{behind} {doubtful} {known}");
+        assert_eq!(kind, Kind::Alive);
     }
 
     #[test]

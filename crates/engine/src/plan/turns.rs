@@ -58,6 +58,12 @@ impl Turns {
         waited + EACH * (since + 1).saturating_sub(OVERDUE) as f64 - lately
     }
 
+    /// Whether there are no recent pages.
+    #[must_use]
+    pub fn is_first_page(&self) -> bool {
+        self.since.is_empty()
+    }
+
     /// Returns the cost of a photo as a lead, because it led a recent page.
     #[must_use]
     pub fn led(&self, photo: usize) -> f64 {
@@ -79,6 +85,8 @@ mod tests {
         let needs = [0, 5, 10, 19].map(|photo| turns.need(photo));
         assert!(needs[2] < needs[0] && needs[0] <= needs[1] && needs[1] < needs[3], "{needs:?}");
         assert!(needs[3] > 2.0 && turns.led(10) > turns.led(0) && turns.led(1).abs() < 1e-12);
-        assert!(Turns::of(&photos, &[]).need(3).abs() < 1e-12);
+        assert!(!turns.is_first_page());
+        let first = Turns::of(&photos, &[]);
+        assert!(first.need(3).abs() < 1e-12 && first.is_first_page());
     }
 }
