@@ -229,7 +229,7 @@ fn fitted(text: &str) -> (f64, usize) {
         .fold((sized(1), 1), |best, next| if next.0 > 1.35 * best.0 { next } else { best })
 }
 
-/// How much of the subjects of the first panel lies between two heights of the page, faces most.
+/// How much of the subjects of the first panel lies between two heights of the page, faces with hair most.
 fn covered(page: &Document, photo: &PhotoMeta, from: f64, to: f64) -> f64 {
     let Some(crop) = page.panels.first().and_then(|panel| panel.crop) else { return 0.0 };
     let part = |subject: &Subject| {
@@ -240,7 +240,7 @@ fn covered(page: &Document, photo: &PhotoMeta, from: f64, to: f64) -> f64 {
         let alive = if subject.is_alive() { 1.0 } else { 0.3 };
         shared * weight * alive * (subject.width * subject.height).sqrt()
     };
-    photo.marked().map(|subject| part(&subject)).sum()
+    photo.marked().map(|subject| part(&subject.grown())).sum()
 }
 
 #[cfg(test)]
@@ -334,6 +334,31 @@ mod tests {
         assert_eq!(nothing.title("", &Phrases::of("de").unwrap()).0, "Unsere Fotos");
         let few = Told { moments: vec![Moment::parse("2026:06:09 10:00:00"), None], places: vec!["", ""] };
         assert_eq!(few.title("", &Phrases::of("de").unwrap()).0, "Unsere Fotos");
+    }
+
+    #[test]
+    fn hair_above_a_face_counts_as_covered() {
+        let mut photo = PhotoMeta::unmeasured("p0", 2000, 3000);
+        let (label, points, expression) = (crate::framing::FACE.into(), None, None);
+        photo.find([Subject {
+            label,
+            score: 0.9,
+            x: 0.4,
+            y: 0.3,
+            width: 0.15,
+            height: 0.2,
+            points,
+            expression,
+        }]);
+        let request = crate::page::request::Request {
+            layout: Some("splash".into()),
+            photos: vec![photo.clone()],
+            ..crate::page::request::Request::default()
+        };
+        let mut page = crate::page::shuffle::plan(&request).unwrap();
+        page.panels[0].crop = Some(crate::framing::Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
+        assert!(covered(&page, &photo, 0.0, 0.25) > 0.05, "the band ends between hair and face");
+        assert!(covered(&page, &photo, 0.0, 0.15) < 1e-9);
     }
 
     #[test]
