@@ -43,7 +43,7 @@ export function createIntake({
   store: Store;
   pages: Pick<Pages, 'refine' | 'refit'>;
   engine: Pick<Engine, 'importPhoto' | 'importDraft' | 'forgetPhoto'>;
-  messages: Pick<Messages, 'alert' | 'fileFailed'>;
+  messages: Pick<Messages, 'fileFailed'>;
   prefix?: string;
 }) {
   let lastId = 0;
@@ -175,7 +175,8 @@ export function createIntake({
 
   function reportDamage(name: string, { missing, coarse }: Damage) {
     const share = strings.percent(Math.max(0.01, missing || coarse));
-    messages.alert(missing > 0 ? strings.photoDamaged({ name, share }) : strings.photoCoarse({ name, share }));
+    const text = missing > 0 ? strings.photoDamaged({ name, share }) : strings.photoCoarse({ name, share });
+    messages.fileFailed(name, text, { text, isUsed: true });
   }
 
   /** Replaces the measurements of a draft. Its faces stay until detection finds them in the photo. */
