@@ -116,7 +116,8 @@ test('if no file is readable, the start screen says so and accepts other files',
   await expectNoProject(page);
   // A click elsewhere does not move the message.
   await page.mouse.click(2, 2);
-  expect(await toast.boundingBox()).toEqual(near);
+  const after = await toast.boundingBox();
+  expect(Math.hypot(Number(after?.x) - Number(near?.x), Number(after?.y) - Number(near?.y))).toBeLessThan(3);
   await dismissAlerts(page);
 
   // Subtitles of millions of tags, and subtitles that are larger than the limit.
