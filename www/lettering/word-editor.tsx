@@ -4,6 +4,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { liftAbove } from './above-keyboard.ts';
 import { capitals } from './word-fields.tsx';
+import { familyOf, loadFont } from './word-fonts.ts';
 import { focusOn, placed } from './word-hands.ts';
 import type { WordBox } from '../engine/types.ts';
 
@@ -57,6 +58,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
     };
     fit();
     area.addEventListener('input', fit);
+    void loadFont(box.font).then(() => area.isConnected && fit());
     // The focus brings the keyboard of the screen, which makes the window that is seen lower a moment later.
     const lower = liftAbove(area);
     area.focus({ preventScroll: true });
@@ -92,7 +94,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       aria-label={strings.wordText({ name: strings.word({ kind: strings.wordKind[word.kind], text: word.text }) })}
       maxLength={MOST.letters}
       data-capitals={capitals(word)}
-      style={{ ...place, '--fill': box.fill, '--ink': box.color }}
+      style={{ ...place, '--fill': box.fill, '--ink': box.color, fontFamily: familyOf(box.font) }}
       onKeyDown={press}
       onInput={({ currentTarget: { value } }) => {
         lettering.typed.value = value;
