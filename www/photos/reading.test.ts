@@ -96,6 +96,26 @@ describe('the first photos', () => {
     expect(app.store.history.value.shown.length).toBe(1);
   });
 
+  test('are released if another project is open when they arrive', async () => {
+    const app = fakeApp();
+    const read: (() => void)[] = [];
+    const forgotten: string[] = [];
+    app.engine.importDraft = async (id: string) => {
+      await new Promise<void>((resolve) => read.push(resolve));
+      return id === 'p1' ? { ...unreadMeta(id), measures: {} } : null;
+    };
+    app.engine.forgetPhoto = (id: string) => forgotten.push(id);
+    const done = app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
+    await vi.advanceTimersByTimeAsync(100);
+    app.store.unknow(['p1', 'p2']);
+    for (const go of read) go();
+    await vi.advanceTimersByTimeAsync(1_000);
+    await done;
+    // The draft, and then both photos.
+    expect(forgotten).toEqual(['p1', 'p1', 'p2']);
+    expect(app.store.album.value.size).toBe(0);
+  });
+
   test('are shown as drafts, which the photos replace', async () => {
     const app = fakeApp({ 'b.jpg': 'bad', 'c.jpg': 'damaged' });
     let read = () => {};
