@@ -180,8 +180,9 @@ function toolsFor({
     title: strings.sideTab.page,
     tools: [
       ...offers,
+      // With several pages, the list of pages has the button.
+      ...(pages.several.value ? [] : [book.add]),
       ...[
-        book.add,
         layouts.edit,
         ...(isAlbum ? [] : [book.make]),
         ...(isEnabled(book.makeChapters) ? [book.makeChapters] : []),
