@@ -161,7 +161,7 @@ test('text is written in its balloon, and is at least 10 pixels high', async ({ 
   const [[x, y], [u, v]] = [middle(balloon), middle(editor)];
   expect(Math.hypot(x - u, y - v)).toBeLessThan(8);
   // The text has the font and the size of the page, so the field is as large as the balloon.
-  await expect.poll(() => page.evaluate(() => document.fonts.size)).toBe(1);
+  await expect.poll(() => page.evaluate(() => document.fonts.size)).toBeGreaterThan(0);
   await expect
     .poll(async () => {
       const { width, height } = await box(field);
