@@ -12,5 +12,6 @@ export const TYPES = {
   '.png': 'image/png',
   '.jpg': 'image/jpeg',
   '.webp': 'image/webp',
+  '.ttf': 'font/ttf',
   '.webmanifest': 'application/manifest+json',
 };

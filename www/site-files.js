@@ -16,8 +16,8 @@ const WORKER = 'service-worker.js';
 const SOURCE = fileURLToPath(new URL('./offline/worker/main.ts', import.meta.url));
 /** The models, their module, and the table of places. They are larger than the rest of the app, and not every user needs them. */
 const ON_USE = /^assets\/(?:nets-[^/]*\.wasm|[^/]*\.onnx|places-[^/]*\.bin)$/;
-/** The sample album works offline, but is not necessary. */
-const EXTRAS = /^samples\/.*\.(?:jpg|json)$/;
+/** The sample album and the fonts of the text field work offline, but are not necessary. */
+const EXTRAS = /^samples\/.*\.(?:jpg|json)$|^assets\/[^/]*\.ttf$/;
 /** Files that the app never requests, that are still being built, or that configure the host. */
 const NOT = /\.(?:md|map)$|^assets\/nets-later\.|^_headers$/;
 

@@ -78,7 +78,7 @@ test('the list of keys has the keys that people know, in their order', async () 
 
 /** Actions that need a browser, a video, fonts, models or the real core. */
 const ELSEWHERE =
-  /^(page\.acceptCrops|book\.(cancel|make|cover)|photos\.add|layouts\.(save|forget)|projects\.(create|save|cancel)|panels\.(save|breakFrame|earlier|later|zoom|fit|rotate|flip|reset|cut|slant|inset)|words|text|designer|explorer|imitation\.edit|styles|download\.download)/;
+  /^(page\.acceptCrops|book\.(cancel|make|cover)|photos\.(add|choose)|layouts\.(save|forget)|projects\.(create|save|cancel)|panels\.(save|breakFrame|earlier|later|zoom|fit|rotate|flip|reset|cut|slant|inset)|words|text|designer|explorer|imitation\.edit|styles|download\.download)/;
 /** They are the undo itself. */
 const WALKS = ['page.undo', 'page.redo'];
 

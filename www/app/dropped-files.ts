@@ -63,7 +63,7 @@ export function createDroppedFiles({
   keeping: Pick<Keeping, 'files' | 'pageFiles' | 'absentPhotos' | 'current' | 'open' | 'turned'>;
   reading: Pick<Reading, 'addFiles'>;
   subtitling: Pick<Subtitling, 'open'>;
-  messages: Pick<Messages, 'note' | 'offer' | 'fileFailed'>;
+  messages: Pick<Messages, 'note' | 'offer' | 'fileFailed' | 'filesSkipped'>;
   ownLayouts: Pick<OwnLayouts, 'open'>;
   ownStyles: Pick<OwnStyles, 'open'>;
   ownPainters: Pick<OwnPainters, 'open'>;
@@ -88,7 +88,7 @@ export function createDroppedFiles({
     const wanted = given.filter((file) => !isSidecar(file.name, foldersOf(file)));
     // A single sidecar file is reported like any other file that is not a photo.
     const files = wanted.length > 0 ? wanted : given;
-    if (files.length < given.length) messages.note(strings.filesSkipped({ n: given.length - files.length }));
+    if (files.length < given.length) messages.filesSkipped(given.length - files.length);
     const plans = files.filter(({ name }) => hasRole(name, 'json'));
     const projects = files.filter(isProjectFile);
     const packed = await zipped(files);

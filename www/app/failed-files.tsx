@@ -2,19 +2,15 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Dialog } from '../ui/dialog.tsx';
 
-/** Files that could not be read, each with the reason. */
+/** Files that are damaged or could not be read, each with the reason. */
 export function FailedFiles() {
   const { messages } = useApp();
-  const { failures, unnamed, listed } = messages;
+  const { failures, unnamed, listed, list } = messages;
   const close = () => {
     listed.value = false;
   };
   return (
-    <Dialog
-      title={strings.filesFailed({ n: failures.value.length + unnamed.value })}
-      onClose={close}
-      class="failed-files"
-    >
+    <Dialog title={list.value.find(({ near }) => near)?.text ?? ''} onClose={close} class="failed-files">
       <ul>
         {failures.value.map(({ name, why, way }) => (
           <li key={`${name}\n${why}`}>

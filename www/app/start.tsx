@@ -3,8 +3,8 @@
  */
 
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
-import { openFiles } from '../photos/file-input.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { InstallButton } from '../offline/install.tsx';
 import { Broken } from '../storage/broken.tsx';
@@ -19,7 +19,7 @@ const PAGES = ['line', 'moonlight', 'golden-age'];
 const isTouch = () => window.matchMedia('(pointer: coarse)').matches;
 
 export function Start() {
-  const { reading, store } = useApp();
+  const { actions, reading, store } = useApp();
   return (
     <main class="start">
       <div class="start-body">
@@ -38,10 +38,7 @@ export function Start() {
           </h1>
           <p class="start-more">{strings.leadMore}</p>
           <div class="start-buttons">
-            <button type="button" class="button strong large" onClick={openFiles}>
-              <Icon name="photos" />
-              {strings.chooseFiles}
-            </button>
+            <ActionButton action={actions.photos.choose} class="button strong large" text />
             <button type="button" class="button large" aria-busy={store.fetching.value} onClick={reading.addSamples}>
               {strings.trySamples}
             </button>

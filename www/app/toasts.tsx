@@ -2,6 +2,7 @@
  * Messages, in live regions that are there from the start: a region that appears with its text is often not read.
  */
 
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
@@ -14,7 +15,7 @@ import type { Action } from '../ui/action.ts';
 import type { Message } from '../ui/messages.ts';
 
 export function Toasts() {
-  const { messages, download, keeping, actions } = useApp();
+  const { messages, download, keeping, actions, ui } = useApp();
   const opening = keeping.files.progress.value;
   const list = messages.list.value;
   const running = download.progress.value;
@@ -34,7 +35,12 @@ export function Toasts() {
         <div role="alert" class="toast-alerts">
           <Alerts class="toast-list toast-grave" list={list.filter(({ kind }) => kind === 'grave')} />
           <Alerts class="toast-list" list={list.filter(({ kind, near }) => kind === 'alert' && !near)} />
-          <Alerts class="toast-list toast-near" list={list.filter(({ near }) => near)} at={spot.value} />
+          <Alerts
+            class="toast-list toast-near"
+            list={list.filter(({ near }) => near)}
+            at={ui.work.value === null ? null : spot.value}
+            near
+          />
         </div>
         {running && (
           <Work label={exporting} done={running.done} total={running.total} cancel={actions.download.cancel}>
@@ -112,19 +118,38 @@ function timeLeft(seconds: number): string {
   return strings.timeLeft.minutes({ n: Math.ceil(seconds / 60) });
 }
 
-/** @param props `at`: the point below which they are, in CSS pixels; without it they are with the other messages */
+/**
+ * @param props `at`: the point below which they are, in CSS pixels; `near`: they are below the heading of the photos, or
+ *   below the buttons of the start screen, which leave room for them
+ */
 function Alerts({
   list,
   class: name,
   at = null,
+  near = false,
 }: {
   list: Message[];
   class: string;
   at?: { x: number; y: number } | null;
+  near?: boolean;
 }) {
   const { messages } = useApp();
+  const ref = useRef(null as HTMLDivElement | null);
+  useLayoutEffect(() => {
+    if (!near || !ref.current) return undefined;
+    const observer = new ResizeObserver(([{ target }]) =>
+      document.documentElement.style.setProperty('--files', `${(target as HTMLElement).offsetHeight}px`),
+    );
+    observer.observe(ref.current);
+    return () => observer.disconnect();
+  }, []);
   return (
-    <div class={name} data-placed={at !== null} style={at ? { '--x': `${at.x}px`, '--y': `${at.y}px` } : undefined}>
+    <div
+      ref={ref}
+      class={name}
+      data-placed={at !== null}
+      style={at ? { '--x': `${at.x}px`, '--y': `${at.y}px` } : undefined}
+    >
       {list.map(({ id, text, way, more }) => (
         <div class="toast bad" key={id}>
           <Icon name="alert" />

@@ -50,11 +50,9 @@ test('the cover is known wherever it is, and plain pages have none', async () =>
   book.spreadAlbum();
   expect([book.isMade.value, book.coverAt()]).toEqual([false, -1]);
   await bookMaking.make('one');
-  expect([book.isMade.value, book.onCover.value, book.coverAt()]).toEqual([true, true, 0]);
+  expect([book.isMade.value, book.coverAt()]).toEqual([true, 0]);
   book.move(0, 2);
-  expect([book.coverAt(), book.onCover.value]).toEqual([2, true]);
-  book.go(0);
-  expect(book.onCover.value).toBe(false);
+  expect(book.coverAt()).toBe(2);
 });
 
 test('the dates of a book have the format of the user', async () => {

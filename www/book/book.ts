@@ -52,7 +52,6 @@ export function createBook({
     areManyLeft: computed(() => left.value.length >= MANY_LEFT),
     oneStyle,
     isMade,
-    onCover: computed(() => isMade.value && at.value === coverAt()),
     coverAt,
     hasDays: computed(() => new Set(store.photos.value.map(({ taken }) => taken?.slice(0, 10))).size > 1),
     at,

@@ -9,6 +9,7 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
+import { Menu } from '../ui/menu.tsx';
 import { BlockName } from './block-name.tsx';
 import { Parameter } from './parameter.tsx';
 import { WhereChoice } from './where-choice.tsx';
@@ -139,35 +140,39 @@ export function Card({
           pressed={step.bypass}
           onClick={() => designer.change({ type: 'bypass', layer, at, on: !step.bypass })}
         />
-        <IconButton
-          icon="up"
-          label={strings.moveUp}
-          short={strings.cardShort.up}
-          disabled={at === 0}
-          onClick={() => move(at - 1)}
-        />
-        <IconButton
-          icon="down"
-          label={strings.moveDown}
-          short={strings.cardShort.down}
-          disabled={last}
-          onClick={() => move(at + 1)}
-        />
-        <IconButton icon="across" label={strings.moveAcross} short={strings.cardShort.across} onClick={moveAcross} />
-        <IconButton
-          icon="duplicate"
-          label={strings.duplicate}
-          short={strings.cardShort.duplicate}
-          onClick={() => designer.change({ type: 'duplicate', layer, at })}
-        />
-        <IconButton
-          icon="reset"
-          label={strings.reset}
-          short={strings.cardShort.reset}
-          disabled={block.params.length === 0}
-          onClick={() => designer.change({ type: 'reset', layer, at })}
-        />
         <IconButton icon="bin" label={strings.remove} short={strings.cardShort.remove} onClick={remove} />
+        <Menu icon="dots" label={strings.more}>
+          <button type="button" class="button" onClick={moveAcross}>
+            {strings.moveAcross}
+          </button>
+          <button type="button" class="button" onClick={() => designer.change({ type: 'duplicate', layer, at })}>
+            {strings.duplicate}
+          </button>
+          <button
+            type="button"
+            class="button"
+            disabled={block.params.length === 0}
+            onClick={() => designer.change({ type: 'reset', layer, at })}
+          >
+            {strings.reset}
+          </button>
+        </Menu>
+        <span class="card-moves">
+          <IconButton
+            icon="up"
+            label={strings.moveUp}
+            short={strings.cardShort.up}
+            disabled={at === 0}
+            onClick={() => move(at - 1)}
+          />
+          <IconButton
+            icon="down"
+            label={strings.moveDown}
+            short={strings.cardShort.down}
+            disabled={last}
+            onClick={() => move(at + 1)}
+          />
+        </span>
       </div>
       {misfit && (
         <p class="card-lacks">

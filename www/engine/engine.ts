@@ -256,7 +256,8 @@ export function createEngine({
 
   /**
    * Reads a smaller copy of a large JPEG file, in a third of the time of `importPhoto`, which replaces it.
-   * @returns null, or a promise of null, for other files, and for files that cannot be read
+   * @returns null for other files, so that their import starts before the imports of later photos; a promise of null for
+   *   files that cannot be read
    */
   function importDraft(id: string, file: Blob, call?: Call): Promise<Imported['meta'] | null> | null {
     return file.type === JPEG && file.size >= LARGE_JPEG ? readDraft(id, file, call) : null;

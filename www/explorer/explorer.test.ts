@@ -136,6 +136,17 @@ describe('the explorer', () => {
     expect([none.ids(), none.explorer.progress.value]).toEqual([[], null]);
   });
 
+  it('shows one progress over all rounds', async () => {
+    const made = app((style: any) => ({ ...looks(style), fault: style.seed % 6 === 0 ? '' : 'pale' }));
+    const steps: number[] = [];
+    made.explorer.progress.subscribe((doing) => steps.push(doing ? doing.done : -1));
+    await made.explorer.generate(PHOTO);
+    // It is hidden before and after, and never starts again.
+    expect(steps.filter((done) => done <= 0)).toEqual([-1, 0, -1]);
+    expect(Math.max(...steps)).toBe(2 * ROUND);
+    expect(steps.slice(1, -1)).toEqual([...steps.slice(1, -1)].sort((a, b) => a - b));
+  });
+
   it('leaves out what is empty, and what looks like another', async () => {
     const { explorer } = await hung((style) => ({
       ...looks(style),

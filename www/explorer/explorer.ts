@@ -30,6 +30,8 @@ export type Parents = readonly [Parent, Parent];
 export type Photo = { id: string; width: number; height: number };
 /** The current task: `redraw` draws the wall with another photo. */
 export type Doing = Progress & { what: 'invent' | 'redraw' };
+/** Styles of all rounds of one press. */
+type Rounds = { tried: number; added: number };
 export type Explorer = ReturnType<typeof createExplorer>;
 
 /** Styles that the wall opens with, and that one press invents. For some photos only few styles are good, so more are tried. */
@@ -174,18 +176,17 @@ export function createExplorer({
   /** Invents another round, and more rounds if few styles are good. Whole rounds keep the seeds of the next ones. */
   async function generate(photo: Photo) {
     if (!(await redraw(photo))) return;
-    let added = 0;
-    for (let round = 0; round < MAX_ROUNDS && added < FAIR; round += 1) {
-      const before = new Set(wall.items.peek().map(({ style }) => style.id));
-      if (!(await invent(photo, ROUND))) return;
-      const fresh = wall.items.peek().filter(({ style }) => !before.has(style.id)).length;
-      if (fresh < HOPELESS) return;
-      added += fresh;
+    const rounds: Rounds = { tried: 0, added: 0 };
+    let before = -Infinity;
+    while (rounds.tried < MAX_ROUNDS * ROUND && rounds.added < FAIR && rounds.added - before >= HOPELESS) {
+      before = rounds.added;
+      if (!(await invent(photo, ROUND, { rounds }))) break;
     }
+    if (running === null) progress.value = null;
   }
 
   /** @param how `enough`: number of styles to add (default: all); `together`: number of styles that are shown at once */
-  function invent(photo: Photo, count: number, how: { enough?: number; together?: number } = {}) {
+  function invent(photo: Photo, count: number, how: { enough?: number; together?: number; rounds?: Rounds } = {}) {
     const planner = store.planner.peek();
     if (!planner) return Promise.resolve(false);
     const from = first.peek() + made;
@@ -268,7 +269,8 @@ export function createExplorer({
       behind,
       enough = Infinity,
       together = 1,
-    }: { choosy: boolean; behind?: string; enough?: number; together?: number },
+      rounds,
+    }: { choosy: boolean; behind?: string; enough?: number; together?: number; rounds?: Rounds },
   ): Promise<boolean> {
     let left = enough;
     let last = behind;
@@ -281,7 +283,7 @@ export function createExplorer({
       if (waiting.length >= together) show();
       return fresh.length;
     };
-    const whole = await work(photo, 'invent', count, make, take, enough);
+    const whole = await work(photo, 'invent', count, make, take, { enough, rounds });
     if (whole) show();
     return whole;
   }
@@ -296,6 +298,7 @@ export function createExplorer({
   /**
    * Draws styles in batches.
    * @param take handles a batch and returns the number of added styles
+   * @param how `rounds`: the rounds before, which share the progress
    * @returns whether it went to its end
    */
   async function work(
@@ -304,14 +307,22 @@ export function createExplorer({
     count: number,
     make: (i: number) => Style,
     take: (styles: readonly Style[], explored: readonly Explored[]) => number,
-    enough: number = Infinity,
+    { enough = Infinity, rounds }: { enough?: number; rounds?: Rounds } = {},
   ): Promise<boolean> {
-    stop();
+    if (!rounds || rounds.tried === 0) stop();
     const mine = new AbortController();
     running = mine;
     const total = Math.min(count, enough);
-    progress.value = { what, done: 0, total };
     let [next, done, hung] = [0, 0, 0];
+    const tell = () => {
+      progress.value = {
+        what,
+        ...(rounds
+          ? overRounds({ tried: rounds.tried + done, added: rounds.added + hung })
+          : { done: Math.min(total, enough < Infinity ? hung : done), total }),
+      };
+    };
+    tell();
     const parcels = async () => {
       while (next < count && hung < enough && !mine.signal.aborted) {
         const styles = Array.from({ length: Math.min(PARCEL, count - next) }, (_, i) => make(next + i));
@@ -320,7 +331,7 @@ export function createExplorer({
         if (mine.signal.aborted) return;
         done += styles.length;
         hung += take(styles, explored);
-        progress.value = { what, done: Math.min(total, enough < Infinity ? hung : done), total };
+        tell();
       }
     };
     try {
@@ -332,7 +343,11 @@ export function createExplorer({
     }
     if (running === mine) {
       running = null;
-      progress.value = null;
+      if (!rounds) progress.value = null;
+    }
+    if (rounds) {
+      rounds.tried += done;
+      rounds.added += hung;
     }
     return !mine.signal.aborted;
   }
@@ -362,4 +377,11 @@ export function createExplorer({
     scores.forget();
     wall.clear();
   }
+}
+
+/** The progress over all rounds. Their number is estimated from the part of the styles that is good. */
+function overRounds({ tried, added }: Rounds): Progress {
+  const current = Math.max(1, Math.ceil(tried / ROUND));
+  const needed = added === 0 ? MAX_ROUNDS : Math.ceil((FAIR * tried) / added / ROUND);
+  return { done: tried, total: ROUND * Math.max(current, Math.min(MAX_ROUNDS, needed)) };
 }

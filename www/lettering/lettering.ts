@@ -246,13 +246,14 @@ export function createLettering({
     store.change({ type: 'drop-waiting', words: [...indices] });
   }
 
-  function edit(index: number, news: Partial<Word>, gesture?: string) {
+  /** @param stays whether it keeps its place */
+  function edit(index: number, news: Partial<Word>, gesture?: string, stays = news.auto === false) {
     const page = store.page.peek();
     if (!page || !words.peek()[index]) return;
     // Shuffle does not replace edited text.
     const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, ...BY_HAND } : word));
     // A text item that the user moves has a fixed position. Otherwise all balloons of its chain are placed again.
-    const free = news.auto === false ? [index] : chainOf(changed, index);
+    const free = stays ? [] : chainOf(changed, index);
     setPage({ ...page, words: changed }, free, gesture);
   }
 
@@ -304,7 +305,14 @@ export function createLettering({
     const clean = bounded(text.trim()).trim();
     editing.value = -1;
     if (clean === '') remove(index);
-    else if (clean !== words.peek()[index]?.text) edit(index, { text: clean, located: undefined }, gesture);
+    else if (clean !== words.peek()[index]?.text)
+      edit(index, { text: clean, located: undefined }, gesture, hasSize(index, clean));
+  }
+
+  /** Whether a text item with another text has the same size. */
+  function hasSize(index: number, text: string): boolean {
+    const [before, after] = [boxes.peek()[index], measured(index, text)];
+    return !!before && !!after && before.width === after.width && before.height === after.height;
   }
 
   /** @param to its middle, in page widths */

@@ -4,17 +4,20 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { liftAbove } from './above-keyboard.ts';
 import { capitals } from './word-fields.tsx';
+import { familyOf, loadFont } from './word-fonts.ts';
 import { focusOn, placed } from './word-hands.ts';
 import type { WordBox } from '../engine/types.ts';
 
-/** Smaller text could not be read while it is written, in CSS pixels. A word that is too long for its line may be smaller. */
-const LEAST = 14;
+/** Smaller text cannot be edited with a finger, in CSS pixels. A word that is too long for its line may be smaller. */
+const LEAST_FOR_FINGERS = 14;
 const LEAST_FOR_WORDS = 10;
 /** Minimum width of the field, in CSS pixels. */
-const NARROWEST = 110;
+const NARROWEST = 56;
 /** Maximum size of the text in the field of a sound effect, and the gap between field and effect, in CSS pixels. */
 const MOST_FOR_EFFECTS = 20;
 const GAP = 8;
+/** Minimum room above and below the text together, in CSS pixels. */
+const LEAST_PAD = 8;
 /** Room between the text and the outline, in parts of the width: an oval is narrow at the ends. */
 const PADS = { balloon: 0.1, caption: 0.05, effect: 0.03 };
 
@@ -38,7 +41,8 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
   useLayoutEffect(() => {
     const area = field.current as HTMLTextAreaElement;
     const page = area.closest('.page') as HTMLElement;
-    const text = Math.max(LEAST, box.size * page.clientWidth);
+    const least = window.matchMedia('(pointer: coarse)').matches ? LEAST_FOR_FINGERS : LEAST_FOR_WORDS;
+    const text = Math.max(least, box.size * page.clientWidth);
     const largest = isEffect ? Math.min(MOST_FOR_EFFECTS, text) : text;
     const fit = () => {
       area.style.fontSize = `${largest}px`;
@@ -57,6 +61,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
     };
     fit();
     area.addEventListener('input', fit);
+    void loadFont(box.font).then(() => area.isConnected && fit());
     // The focus brings the keyboard of the screen, which makes the window that is seen lower a moment later.
     const lower = liftAbove(area);
     area.focus({ preventScroll: true });
@@ -92,7 +97,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       aria-label={strings.wordText({ name: strings.word({ kind: strings.wordKind[word.kind], text: word.text }) })}
       maxLength={MOST.letters}
       data-capitals={capitals(word)}
-      style={{ ...place, '--fill': box.fill, '--ink': box.color }}
+      style={{ ...place, '--fill': box.fill, '--ink': box.color, fontFamily: familyOf(box.font) }}
       onKeyDown={press}
       onInput={({ currentTarget: { value } }) => {
         lettering.typed.value = value;
@@ -140,7 +145,7 @@ function grow(area: HTMLTextAreaElement, page: HTMLElement, size: readonly [numb
   Object.assign(style, { width: `${across}px`, height: '0', paddingBlock: '0', margin: '0' });
   style.paddingInline = `${across * pad}px`;
   const text = area.scrollHeight;
-  const tall = Math.min(page.clientHeight, Math.max(high, text * (1 + 2 * pad) + 8));
+  const tall = Math.min(page.clientHeight, Math.max(high, text + LEAST_PAD));
   const border = area.offsetHeight;
   style.height = `${tall}px`;
   style.paddingBlock = `${Math.max(0, (tall - text - border) / 2)}px`;

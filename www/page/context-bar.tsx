@@ -174,21 +174,17 @@ function toolsFor({
   const isFirst = store.versions.value.length < 2;
   // A book is offered as long as many photos are on no page.
   const isAlbum = !pages.several.value && pages.areManyLeft.value && isEnabled(book.make);
-  const offers = [
-    ...(isEnabled(page.acceptCrops) ? [page.acceptCrops] : []),
-    ...(pages.onCover.value ? [book.cover] : []),
-    ...(isAlbum ? [book.make] : []),
-  ];
+  const offers = [...(isEnabled(page.acceptCrops) ? [page.acceptCrops] : []), ...(isAlbum ? [book.make] : [])];
   return {
     kind: 'page',
     title: strings.sideTab.page,
     tools: [
       ...offers,
+      // With several pages, the list of pages has the button.
+      ...(pages.several.value ? [] : [book.add]),
       ...[
-        book.add,
         layouts.edit,
         ...(isAlbum ? [] : [book.make]),
-        ...(pages.isMade.value && !pages.onCover.value ? [book.cover] : []),
         ...(isEnabled(book.makeChapters) ? [book.makeChapters] : []),
         book.spread,
         styles.edit,

@@ -32,7 +32,7 @@ export function createFrames({
   store: Store;
   engine: Pick<Engine, 'importVideo'>;
   intake: Intake;
-  messages: Pick<Messages, 'alert'>;
+  messages: Pick<Messages, 'fileFailed'>;
 }) {
   return { open, read, resample };
 
@@ -112,10 +112,11 @@ export function createFrames({
   function told(key: string, file: File, { duration, whole, looked: part }: About) {
     const video = store.videos.peek().get(key);
     if (video && video.duration !== duration) know(key, { duration, end: video.end ?? duration });
-    if (whole !== undefined)
-      messages.alert(
-        strings.filmReaches({ name: file.name, till: strings.clock(duration), whole: strings.clock(whole) }),
-      );
+    if (whole !== undefined) {
+      const { name } = file;
+      const text = strings.filmReaches({ name, till: strings.clock(duration), whole: strings.clock(whole) });
+      messages.fileFailed(name, text, { text, isUsed: true });
+    }
     if (part !== undefined) looked(key, part < 1 ? { name: file.name, part } : undefined);
   }
 

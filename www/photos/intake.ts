@@ -43,7 +43,7 @@ export function createIntake({
   store: Store;
   pages: Pick<Pages, 'refine' | 'refit'>;
   engine: Pick<Engine, 'importPhoto' | 'importDraft' | 'forgetPhoto'>;
-  messages: Pick<Messages, 'alert' | 'fileFailed'>;
+  messages: Pick<Messages, 'fileFailed'>;
   prefix?: string;
 }) {
   let lastId = 0;
@@ -109,8 +109,7 @@ export function createIntake({
    */
   async function showDraft(id: string, draft: Promise<Imported['meta'] | null>): Promise<boolean> {
     const meta = await draft;
-    if (meta) arrived(id, meta);
-    return meta !== null;
+    return meta !== null && arrived(id, meta);
   }
 
   /** Forgets a draft whose photo cannot be read. */
@@ -158,24 +157,33 @@ export function createIntake({
     batch(() => all.forEach((tell) => tell()));
   }
 
-  /** @param how `more` facts; `drafted`: whether the photo replaces its draft */
+  /**
+   * Notes a photo that was read.
+   * @param how `more` facts; `drafted`: whether the photo replaces its draft
+   * @returns whether the album has it
+   */
   function arrived(
     id: string,
     { damage, ...meta }: Imported['meta'],
     { more, drafted = false }: { more?: Partial<Fact>; drafted?: boolean } = {},
-  ) {
+  ): boolean {
     const fact = store.album.peek().get(id);
-    // A frame of a video that is no longer wanted.
-    if (!fact) return;
+    // A frame of a video that is no longer wanted, or a photo of a project that was closed.
+    if (!fact) {
+      engine.forgetPhoto(id);
+      return false;
+    }
     // The person knows of a photo that is read again.
     if (damage && (drafted || !fact.meta)) reportDamage(fact.name, damage);
     store.know({ ...fact, ...(drafted ? replacing(fact, meta) : knownOf(fact, meta)), ...more });
     if (isShown(id) && !store.sketch.peek()) pages.refine();
+    return true;
   }
 
   function reportDamage(name: string, { missing, coarse }: Damage) {
     const share = strings.percent(Math.max(0.01, missing || coarse));
-    messages.alert(missing > 0 ? strings.photoDamaged({ name, share }) : strings.photoCoarse({ name, share }));
+    const text = missing > 0 ? strings.photoDamaged({ name, share }) : strings.photoCoarse({ name, share });
+    messages.fileFailed(name, text, { text, isUsed: true });
   }
 
   /** Replaces the measurements of a draft. Its faces stay until detection finds them in the photo. */

@@ -18,5 +18,6 @@ export function createPhotoActions({ ui, masks }: Pick<App, 'ui' | 'masks'>) {
     stopMasks: { label: strings.stopMasking, icon: 'pause', run: masks.stop },
     goOnMasks: { label: strings.goOnMasking, icon: 'play', run: masks.goOn },
     add: { label: strings.addPhotos, icon: 'add', run: openFiles },
+    choose: { label: strings.chooseFiles, icon: 'photos', run: openFiles },
   } satisfies Record<string, Action>;
 }

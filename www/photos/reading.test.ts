@@ -72,7 +72,9 @@ describe('the first photos', () => {
       'a.jpg: 12% of the photo is damaged and shown in grey.',
       'b.jpg: 1% of the photo lacks detail, because the file is damaged or incomplete.',
     ];
-    expect(alerts(app)).toEqual(told);
+    await vi.advanceTimersByTimeAsync(1_000);
+    expect(app.messages.failures.value.map(({ text }) => text)).toEqual(told);
+    expect(alerts(app)).toEqual(['2 files are damaged; their readable parts are used.']);
     expect(app.store.facts.value.every(({ meta }) => meta && !('damage' in meta))).toBe(true);
     const [file] = app.files('a.jpg');
     app.messages.list.value.forEach(({ id }) => app.messages.close(id));
@@ -86,12 +88,32 @@ describe('the first photos', () => {
     expect(app.store.tray.value).toEqual([]);
     expect(app.store.page.value).toBe(null);
     await vi.advanceTimersByTimeAsync(1_000);
-    expect(alerts(app)).toEqual(['2 files could not be read.', expect.stringContaining('None of these files')]);
+    expect(alerts(app)).toEqual([expect.stringContaining('None of these files')]);
     expect(app.messages.failures.value.map(({ text }) => text)).toEqual(['a.txt: not a photo', 'b.txt: not a photo']);
     expect(app.store.history.value.shown).toEqual([]);
     await app.reading.addFiles(app.files('good.jpg'));
     expect(alerts(app)).toEqual(['2 files could not be read.']);
     expect(app.store.history.value.shown.length).toBe(1);
+  });
+
+  test('are released if another project is open when they arrive', async () => {
+    const app = fakeApp();
+    const read: (() => void)[] = [];
+    const forgotten: string[] = [];
+    app.engine.importDraft = async (id: string) => {
+      await new Promise<void>((resolve) => read.push(resolve));
+      return id === 'p1' ? { ...unreadMeta(id), measures: {} } : null;
+    };
+    app.engine.forgetPhoto = (id: string) => forgotten.push(id);
+    const done = app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
+    await vi.advanceTimersByTimeAsync(100);
+    app.store.unknow(['p1', 'p2']);
+    for (const go of read) go();
+    await vi.advanceTimersByTimeAsync(1_000);
+    await done;
+    // The draft, and then both photos.
+    expect(forgotten).toEqual(['p1', 'p1', 'p2']);
+    expect(app.store.album.value.size).toBe(0);
   });
 
   test('are shown as drafts, which the photos replace', async () => {
@@ -125,7 +147,9 @@ describe('the first photos', () => {
     // A draft does not hide that its photo cannot be read or is damaged.
     expect(forgotten).toEqual(['p2']);
     expect(names(app).sort()).toEqual(['a.jpg', 'c.jpg']);
-    expect(alerts(app).sort()).toEqual(['b.jpg: not a photo', expect.stringContaining('c.jpg: 12%')]);
+    const told = app.messages.failures.value.map(({ text }) => text);
+    expect(told).toEqual(['b.jpg: not a photo', expect.stringContaining('c.jpg: 12%')]);
+    expect(alerts(app)).toEqual(['1 file could not be read. 1 file is damaged; its readable part is used.']);
   });
 
   test('that look like another are set aside', async () => {

@@ -56,7 +56,6 @@ export function createReading({
   /** The undo group of the photos being read; null for the first ones, which cannot be undone. */
   let gesture = null as string | null;
   /** The message about a missing page, closed by the next page. */
-  let complaint = 0;
   /** Number of files being read. */
   let files = 0;
 
@@ -255,12 +254,12 @@ export function createReading({
     const step = gesture;
     gesture = null;
     stop = null;
-    messages.close(complaint);
+    messages.noneUsed(false);
     naming.settle(step);
     if (store.photos.peek().length === 0) {
       store.change({ type: 'no-page', silent: true });
       // For a single file the error message is enough.
-      if (files > 1) complaint = messages.fileAlert(strings.noUsablePhoto);
+      if (files > 1) messages.noneUsed(true);
     } else if (step === null) {
       if (!firstPage.finish()) keepShown();
     } else if (planned !== inUse()) {

@@ -136,6 +136,33 @@ describe('subjects', () => {
     expect(store.album.value.get('p2')?.meta?.subjects).toEqual([face, dog]);
   });
 
+  it('does not repeat the first look at a draft without faces', async () => {
+    const { reading, files, asked, store, engine, drafts, painted } = app(async () => ({ boxes: [], closer: false }));
+    const { importPhoto } = engine;
+    engine.importDraft = async (id: string, file: File) => {
+      drafts.add(id);
+      return importPhoto(id, file);
+    };
+    let read = () => {};
+    const arrived = new Promise<void>((resolve) => {
+      read = resolve;
+    });
+    engine.importPhoto = async (id: string, file: File) => {
+      await arrived;
+      drafts.delete(id);
+      return importPhoto(id, file);
+    };
+    const done = reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect(asked).toEqual(['p1', 'p2']);
+    read();
+    await done;
+    store.sketch.value = false;
+    painted.value = true;
+    await settle();
+    expect(asked).toEqual(['p1', 'p2']);
+  });
+
   it('tells of the photos in which it looked while there was no page', async () => {
     const { reading, files, asked, store, engine } = app(async () => ({ boxes: [], closer: false }));
     const { importPhoto } = engine;

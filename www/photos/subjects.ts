@@ -164,10 +164,14 @@ export function createSubjects({
     }
   }
 
-  /** What was found in a photo. The result of a draft ends with the draft. */
+  /**
+   * What was found in a photo. The result of a draft ends with the draft. A draft without faces has enough pixels for
+   * the first look, so only the closer look follows.
+   */
   function looked(id: string): Looked {
     const found = known.get(id) ?? {};
-    return found.draft && !engine.isDraft(id) ? {} : found;
+    if (!found.draft || engine.isDraft(id)) return found;
+    return found.faces?.length === 0 ? { faces: [], closer: found.closer } : {};
   }
 
   function unsearched(id: string) {

@@ -62,30 +62,32 @@ export function StylesList() {
     <>
       <div class="style-search" data-first={store.versions.value.length < 2}>
         <ActionButton action={actions.imitation.open} class="button small" text />
-        <input
-          type="search"
-          class="search"
-          aria-label={strings.searchStyles}
-          placeholder={strings.searchShort}
-          value={sought.value}
-          onInput={({ currentTarget }) => {
-            sought.value = currentTarget.value;
-          }}
-        />
-        <select
-          class="select"
-          aria-label={strings.styleFamilies}
-          value={open}
-          onChange={({ currentTarget }) => {
-            kind.value = currentTarget.value;
-          }}
-        >
-          {[{ id: '', name: strings.anyStyles }, ...kinds].map(({ id, name }) => (
-            <option key={id} value={id}>
-              {name}
-            </option>
-          ))}
-        </select>
+        <div class="style-sought">
+          <input
+            type="search"
+            class="search"
+            aria-label={strings.searchStyles}
+            placeholder={strings.searchShort}
+            value={sought.value}
+            onInput={({ currentTarget }) => {
+              sought.value = currentTarget.value;
+            }}
+          />
+          <select
+            class="select"
+            aria-label={strings.styleFamilies}
+            value={open}
+            onChange={({ currentTarget }) => {
+              kind.value = currentTarget.value;
+            }}
+          >
+            {[{ id: '', name: strings.anyStyles }, ...kinds].map(({ id, name }) => (
+              <option key={id} value={id}>
+                {name}
+              </option>
+            ))}
+          </select>
+        </div>
       </div>
       {ui.styleShuffle.value && <StyleShuffle />}
       <Listbox

@@ -36,7 +36,12 @@ export function Menu({ icon, label, children }: { icon: string; label: string; c
           class="menu-body"
           role="dialog"
           aria-label={label}
-          onClick={({ target }) => (target as Element).closest('button') && setOpen(false)}
+          onClick={({ target }) => {
+            if (!(target as Element).closest('button')) return;
+            setOpen(false);
+            // The chosen button disappears. A choice that opens something moves the focus afterwards.
+            menu.current?.querySelector('button')?.focus();
+          }}
         >
           {children}
         </div>

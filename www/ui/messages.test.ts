@@ -94,6 +94,29 @@ describe('files that cannot be read', () => {
     expect([messages.listed.value, messages.failures.value]).toEqual([false, []]);
   });
 
+  test('damaged and skipped files are part of the message', () => {
+    const messages = createMessages();
+    messages.filesSkipped(1);
+    expect(messages.list.value.map(({ kind }) => kind)).toEqual(['note']);
+    messages.fileFailed('a.jpg', 'broken.');
+    messages.fileFailed('b.jpg', 'half.', { isUsed: true });
+    vi.advanceTimersByTime(10_000);
+    messages.filesSkipped(1);
+    expect(texts(messages)).toEqual([
+      '1 file could not be read. 1 file is damaged; its readable part is used. 2 files that systems and programs store next to photos were skipped.',
+    ]);
+    expect(messages.failures.value.map(({ name }) => name)).toEqual(['a.jpg', 'b.jpg']);
+  });
+
+  test('the message says if no file could be used, until other files are used', () => {
+    const messages = createMessages();
+    for (const name of ['a.jpg', 'b.jpg']) messages.fileFailed(name, 'broken.');
+    messages.noneUsed(true);
+    expect(texts(messages)).toEqual([expect.stringMatching(/^None of these files could be used\./)]);
+    messages.noneUsed(false);
+    expect(texts(messages)).toEqual(['2 files could not be read.']);
+  });
+
   test('the same file with the same reason is one', () => {
     const messages = createMessages();
     for (let i = 0; i < 3; i += 1) messages.fileFailed('a.jpg', 'broken.');

@@ -1,7 +1,7 @@
 /**
  * Messages of the app. Serious problems come first and stay until they are solved or closed. Alerts and offers stay
- * until they are closed. Notes disappear automatically. Files that cannot be read share one message. If there are many,
- * it has a list.
+ * until they are closed. Notes disappear automatically. Files that are damaged, cannot be read, or are skipped share one
+ * message. If there are many, it has a list.
  */
 
 import { batch, signal } from '@preact/signals';
@@ -16,8 +16,8 @@ export type Way = { label: string; run: () => void; stays?: boolean };
 type Kind = 'grave' | 'alert' | 'offer' | 'note';
 /** `more`: another way; `near`: it is about files, and appears at the button that chose them */
 export type Message = { id: number; kind: Kind; text: string; way?: Way; more?: Way; near?: boolean };
-/** a file that could not be read; `text` is the message for a single file */
-type Failure = { name: string; why: string; text: string; way?: Way };
+/** a file with a problem; `text` is the message for a single file; `isUsed`: the readable part is used */
+type Failure = { name: string; why: string; text: string; way?: Way; isUsed?: boolean };
 export type Messages = ReturnType<typeof createMessages>;
 
 const NOTE_MS = 4_000;
@@ -37,18 +37,31 @@ const COUNT_MS = 2_000;
 export function createMessages() {
   /** In order of appearance. */
   const list: Signal<readonly Message[]> = signal([]);
-  /** Files that could not be read. */
+  /** Files with problems. */
   const failures: Signal<readonly Failure[]> = signal([]);
   /** How many more there are. */
   const unnamed = signal(0);
   /** Whether the list of those files is open. */
   const listed = signal(false);
+  const listWay: Way = {
+    label: strings.showList,
+    run: () => {
+      listed.value = true;
+    },
+    stays: true,
+  };
   let last = 0;
   /** The message about those files; 0 without one. */
   let summary = 0;
   /** All of them, by name and reason. */
   let failed: Map<string, Failure> = new Map();
   let beyond = 0;
+  /** How many files were skipped on purpose. */
+  let skipped = 0;
+  /** The note about skipped files, until a file with a problem is reported. */
+  let skipNote = 0;
+  /** Whether no file of the last ones could be used. */
+  let isNothingUsed = false;
   const telling = createTimer();
 
   /** @returns to close it by */
@@ -96,7 +109,7 @@ export function createMessages() {
 
   function forgetFiles() {
     telling.stop();
-    [summary, beyond] = [0, 0];
+    [summary, beyond, skipped, isNothingUsed] = [0, 0, 0, false];
     failed = new Map();
     failures.value = [];
     unnamed.value = 0;
@@ -104,17 +117,17 @@ export function createMessages() {
   }
 
   /**
-   * A file that could not be read. It is added to the existing message.
-   * @param text the message for a single file
+   * A file with a problem. It is added to the existing message.
+   * @param how `text`: the message for a single file; `isUsed`: the readable part of the file is used
    */
   function fileFailed(
     name: string,
     why: string,
-    { text = strings.fileFailed({ name, why }), way }: { text?: string; way?: Way } = {},
+    { text = strings.fileFailed({ name, why }), way, isUsed }: Partial<Omit<Failure, 'name' | 'why'>> = {},
   ) {
     const key = `${name}\n${why}`;
     if (failed.size >= MOST_NAMED && !failed.has(key)) beyond += 1;
-    else failed.set(key, { name, why, text, way });
+    else failed.set(key, { name, why, text, way, isUsed });
     if (telling.runs) return;
     tellOfFiles();
     telling.start(GATHER_MS, tellOfFiles);
@@ -129,21 +142,46 @@ export function createMessages() {
     batch(() => {
       failures.value = all;
       unnamed.value = beyond;
-      const [text, way] =
-        count === 1
-          ? [all[0].text, all[0].way]
-          : [
-              strings.filesFailed({ n: count }),
-              {
-                label: strings.showList,
-                run: () => {
-                  listed.value = true;
-                },
-                stays: true,
-              },
-            ];
-      if (!change(summary, text, way)) summary = say('alert', text, way, undefined, true);
+      showSummary();
     });
+  }
+
+  function showSummary() {
+    const [first] = failures.peek();
+    const count = failures.peek().length + unnamed.peek();
+    const text = summaryOf(count === 1 ? first.text : undefined);
+    const way = count > 1 ? listWay : first?.way;
+    close(skipNote);
+    if (text === '') close(summary);
+    else if (!change(summary, text, way)) summary = say('alert', text, way, undefined, true);
+  }
+
+  /** @param single the text about a single file */
+  function summaryOf(single?: string): string {
+    const used = failures.peek().filter(({ isUsed }) => isUsed).length;
+    const unread = failures.peek().length + unnamed.peek() - used;
+    return [
+      isNothingUsed ? strings.noUsablePhoto : (single ?? (unread > 0 && strings.filesFailed({ n: unread }))),
+      single === undefined && used > 0 && strings.filesDamaged({ n: used }),
+      skipped > 0 && strings.filesSkipped({ n: skipped }),
+    ]
+      .filter(Boolean)
+      .join(' ');
+  }
+
+  /** Files that no person wants to add. */
+  function filesSkipped(n: number) {
+    skipped += n;
+    if (summary > 0) showSummary();
+    else skipNote = say('note', strings.filesSkipped({ n: skipped }));
+  }
+
+  /** @param isNone whether no file of a drop could be used */
+  function noneUsed(isNone: boolean) {
+    if (isNone === isNothingUsed) return;
+    isNothingUsed = isNone;
+    tellOfFiles();
+    if (summary > 0 || isNone) showSummary();
   }
 
   /** Closes the notes about a page when another page is shown. */
@@ -164,9 +202,9 @@ export function createMessages() {
     /** An action for now or later. */
     offer: (text: string, way?: Way) => say('offer', text, way),
     alertGroup,
-    /** About files that the user dropped or chose. */
-    fileAlert: (text: string) => say('alert', text, undefined, undefined, true),
     fileFailed,
+    filesSkipped,
+    noneUsed,
     change,
     close,
   };

@@ -125,7 +125,7 @@ export function createPageFiles({
     for (const name of damaged) messages.fileFailed(name, strings.damagedInArchive({ archive: file.name }));
     if (beyond > 0) messages.alert(strings.tooManyPhotos({ n: beyond, most: strings.decimal(MOST.photos) }));
     for (const { name, kind } of unsupported) messages.fileFailed(name, reasonOfKind(kind));
-    if (others > 0 && pictures.length > 0) messages.note(strings.filesSkipped({ n: others }));
+    if (others > 0 && pictures.length > 0) messages.filesSkipped(others);
     if (pictures.length + damaged.length + unsupported.length === 0)
       messages.fileFailed(file.name, strings.noPicturesInside);
     return { pictures };

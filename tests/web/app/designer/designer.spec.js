@@ -56,6 +56,7 @@ test('mouse: blocks are added, moved, bypassed, duplicated, removed and undone, 
   await expect(bypass).toHaveAttribute('aria-pressed', 'false');
   expect(await preview(page)).toBe(built);
 
+  await cards(page).first().getByRole('button', { name: 'More' }).click();
   await cards(page).first().getByRole('button', { name: 'Duplicate' }).click();
   expect(await names(page)).toEqual(['Gaussian Smoothing', 'Gaussian Smoothing', 'Posterization']);
   await cards(page).first().getByRole('button', { name: 'Remove' }).click();
@@ -123,6 +124,7 @@ test('a slider updates the preview during a drag, and the drag is one undo step'
   await number.fill('999');
   await number.press('Enter');
   await expect(number).toHaveValue('50');
+  await cards(page).first().getByRole('button', { name: 'More' }).click();
   await cards(page).first().getByRole('button', { name: 'Reset' }).click();
   await expect(number).toHaveValue('2');
 });

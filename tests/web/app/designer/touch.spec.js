@@ -96,9 +96,18 @@ test('the tools of a block have their names below the icons on a phone', async (
     const box = await part.boundingBox();
     expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual(edge + 1);
   }
+  // The others are in a menu, which works by touch and by keys.
+  const more = cards(page).first().getByRole('button', { name: 'More' });
+  await more.tap();
+  await cards(page).first().getByRole('button', { name: 'Duplicate' }).tap();
+  await expect(cards(page)).toHaveCount(2);
+  await expect(more).toBeFocused();
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Enter');
+  expect(await names(page, 'Foreground layer')).toEqual(['Gaussian Smoothing']);
   await page.setViewportSize({ width: 390, height: 760 });
   const texts = cards(page).first().locator('.card-tools .icon-text');
-  await expect(texts).toHaveText(['Bypass', 'Up', 'Down', 'Layer', 'Copy', 'Reset', 'Remove']);
+  await expect(texts).toHaveText(['Bypass', 'Remove', 'More', 'Up', 'Down']);
   const boxes = await texts.evaluateAll((all) => all.map((text) => text.getBoundingClientRect().toJSON()));
   boxes.slice(1).forEach(({ left, height }, i) => {
     expect(height).toBeGreaterThan(8);

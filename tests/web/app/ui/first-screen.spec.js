@@ -201,6 +201,34 @@ test('a preview covers neither Shuffle nor the photos', async ({ page }) => {
   await preview();
 });
 
+test('a list that opens below a resting pointer shows no preview until the pointer moves', async ({ page }) => {
+  await openBoard(page);
+  await page.evaluate(() => {
+    const seen = /** @type {{ previews?: number }} */ (window);
+    seen.previews = 0;
+    new MutationObserver((changes) => {
+      const added = changes.flatMap(({ addedNodes }) => [...addedNodes]);
+      const previews = added.filter((one) => one instanceof Element && one.matches('.glimpse'));
+      seen.previews = (seen.previews ?? 0) + previews.length;
+    }).observe(document.body, { childList: true, subtree: true });
+  });
+  const previews = () => page.evaluate(() => /** @type {{ previews?: number }} */ (window).previews);
+  // The pointer is where a suggestion will be.
+  const idea = await page.evaluate(() => {
+    const { left, right, bottom } = /** @type {Element} */ (document.querySelector('.app')).getBoundingClientRect();
+    return { x: (left + right) / 2, y: bottom - 40 };
+  });
+  await page.mouse.move(idea.x, idea.y);
+  await page.getByRole('button', { name: 'Show suggestions' }).dispatchEvent('click');
+  const below = page.locator('.strip button:hover');
+  await expect(below.locator('[data-drawn=true]')).toHaveCount(1);
+  await idle(page);
+  expect(await previews()).toBe(0);
+  await page.mouse.move(idea.x + 150, idea.y, { steps: 5 });
+  await expect(page.locator('.glimpse')).toBeVisible();
+  expect(await previews()).toBeGreaterThan(0);
+});
+
 for (const viewport of [
   { width: 1440, height: 900 },
   { width: 1280, height: 720 },
