@@ -323,7 +323,8 @@ fn model(value: &Value) -> std::result::Result<Option<&str>, String> {
 /// Whether a layer replaces or removes the colours of the photo. Faces then have the colours of the style.
 pub(super) fn recolours(steps: &[Step]) -> bool {
     let mut colour = true;
-    for step in steps.iter().filter(|step| !step.bypass) {
+    let of_subject = |step: &&Step| !step.bypass && step.part != Some(Part::Background);
+    for step in steps.iter().filter(of_subject) {
         if (step.block.recolors)(&step.values) {
             return true;
         }
@@ -491,6 +492,16 @@ mod tests {
         let style = Style::parse("x.json", r#"{"background":[{"block":"xdog","sigma":2}]}"#).unwrap();
         assert_eq!((style.id.as_str(), style.background[0].values.as_slice()), ("x", [2.0, 20.0].as_slice()));
         assert!(style.foreground.is_none());
+    }
+
+    #[test]
+    fn a_block_for_the_background_keeps_the_colours_of_the_subject() {
+        let keeps = |part: &str| {
+            let json = format!(r##"{{"background":[{{"block":"painter","colours":0{part}}}]}}"##);
+            Style::parse("x.json", &json).unwrap().keeps_colours()
+        };
+        assert!(keeps(r#","where":"background""#));
+        assert!(!keeps(r#","where":"subject""#) && !keeps(""));
     }
 
     #[test]
