@@ -37,7 +37,7 @@ test('a style with a painter is drawn after its model failed to load', async ({ 
   await style.click();
   await expect(page.getByRole('alert')).toContainText('The painters could not be loaded.');
   await page.unroute(model);
-  await page.getByRole('option', { name: 'Noir', exact: true }).click();
+  await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'Noir', exact: true }).click();
   await idle(page);
   await style.click();
   await idle(page);
