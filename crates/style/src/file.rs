@@ -497,7 +497,7 @@ mod tests {
     #[test]
     fn a_block_for_the_background_keeps_the_colours_of_the_subject() {
         let keeps = |part: &str| {
-            let json = format!(r##"{{"background":[{{"block":"painter","colours":0{part}}}]}}"##);
+            let json = format!(r#"{{"background":[{{"block":"painter","colours":0{part}}}]}}"#);
             Style::parse("x.json", &json).unwrap().keeps_colours()
         };
         assert!(keeps(r#","where":"background""#));
