@@ -34,8 +34,9 @@ const ALIVE: f64 = 0.3;
 /// Value of a person without a known face as a lead, and for the kind of photo. Such people are seen from behind or from far
 /// away.
 const BEHIND: (f64, f64) = (0.5, 0.7);
-/// Scores between which the value of a face rises: the back of a head can have 0.5. Least score of the face of a person.
+/// The value of a face rises from the first score to the second. The back of a head can have 0.5.
 const DOUBTFUL: (f64, f64) = (0.35, 0.96);
+/// Minimum score of a face that makes a person known.
 const KNOWN: f64 = 0.56;
 /// The part of the value of a face that a profile loses.
 const PROFILE: f64 = 0.2;
@@ -62,8 +63,8 @@ const RIVAL: (f64, f64) = (0.4, 0.6);
 const BARE: f64 = 0.26;
 const GREY: f64 = 60.0;
 
-/// Two photos of one moment: differences of fingerprints in bits, mean differences of colours in grey levels, and times
-/// between them in seconds, at which they are certain and excluded.
+/// Two photos certainly show one moment up to the first value, and certainly do not from the second value on: differences of
+/// fingerprints in bits, mean differences of colours in grey levels, and times between them in seconds.
 const BITS: (f64, f64) = (12.0, 26.0);
 const COLOURS: (f64, f64) = (5.0, 13.0);
 const SECONDS: (f64, f64) = (10.0, 120.0);
@@ -293,6 +294,10 @@ pub(super) fn likeness(a: &PhotoMeta, b: &PhotoMeta) -> f64 {
         return 0.0;
     }
     let near = |(same, other): (f64, f64), apart: f64| ((other - apart) / (other - same)).clamp(0.0, 1.0);
+    let bits = near(BITS, f64::from(distance(a.fingerprint, b.fingerprint)));
+    if bits <= 0.0 {
+        return 0.0;
+    }
     let colours = match (&a.facts, &b.facts) {
         (Some(a), Some(b)) => {
             let apart = a.colours.iter().zip(b.colours).map(|(a, b)| f64::from(a.abs_diff(b)));
@@ -305,7 +310,6 @@ pub(super) fn likeness(a: &PhotoMeta, b: &PhotoMeta) -> f64 {
         (Some(a), Some(b)) => near(SECONDS, a.seconds.abs_diff(b.seconds) as f64),
         _ => 0.0,
     };
-    let bits = near(BITS, f64::from(distance(a.fingerprint, b.fingerprint)));
     (bits * colours.max(time)).sqrt()
 }
 

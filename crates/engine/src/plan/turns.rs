@@ -58,7 +58,7 @@ impl Turns {
         waited + EACH * (since + 1).saturating_sub(OVERDUE) as f64 - lately
     }
 
-    /// Whether there are no recent pages.
+    /// Whether no page was shown before.
     #[must_use]
     pub fn is_first_page(&self) -> bool {
         self.since.is_empty()

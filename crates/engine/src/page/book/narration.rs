@@ -246,6 +246,9 @@ fn covered(page: &Document, photo: &PhotoMeta, from: f64, to: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::framing::{Crop, FACE};
+    use crate::page::request::Request;
+    use crate::page::shuffle::plan;
     use crate::plan::book::Leaf;
 
     fn photos(taken: &[&str]) -> Vec<PhotoMeta> {
@@ -339,7 +342,7 @@ mod tests {
     #[test]
     fn hair_above_a_face_counts_as_covered() {
         let mut photo = PhotoMeta::unmeasured("p0", 2000, 3000);
-        let (label, points, expression) = (crate::framing::FACE.into(), None, None);
+        let (label, points, expression) = (FACE.into(), None, None);
         photo.find([Subject {
             label,
             score: 0.9,
@@ -350,13 +353,10 @@ mod tests {
             points,
             expression,
         }]);
-        let request = crate::page::request::Request {
-            layout: Some("splash".into()),
-            photos: vec![photo.clone()],
-            ..crate::page::request::Request::default()
-        };
-        let mut page = crate::page::shuffle::plan(&request).unwrap();
-        page.panels[0].crop = Some(crate::framing::Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
+        let request =
+            Request { layout: Some("splash".into()), photos: vec![photo.clone()], ..Request::default() };
+        let mut page = plan(&request).unwrap();
+        page.panels[0].crop = Some(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
         assert!(covered(&page, &photo, 0.0, 0.25) > 0.05, "the band ends between hair and face");
         assert!(covered(&page, &photo, 0.0, 0.15) < 1e-9);
     }
