@@ -20,6 +20,7 @@ use inkpanel_engine::page::import::import;
 use inkpanel_engine::page::request::Request;
 use inkpanel_engine::page::{Scene, catalogue, shuffle};
 use inkpanel_engine::raster::decode::{Limits, decode_reduced};
+use inkpanel_engine::raster::header::Header;
 use inkpanel_engine::raster::location::location;
 use inkpanel_engine::raster::{Image, Plane};
 use inkpanel_engine::style::painters::{Choice, Painters};
@@ -69,6 +70,9 @@ pub fn photo(bytes: &[u8]) {
     }
     if let Some(found) = location(bytes) {
         assert!(found.latitude.abs() <= 90.0 && found.longitude.abs() <= 180.0);
+    }
+    if let Some(header) = Header::read(bytes) {
+        assert!(header.width > 0 && header.height > 0);
     }
     // As a photo that is many times as large is decoded.
     if let Ok(photo) = decode_reduced(bytes, &LIMITS, 16) {

@@ -1,6 +1,7 @@
 //! HEIC files against libheif, and broken ones. `tests/oracles/heic.py` made the files and the pictures.
 
 use inkpanel_engine::raster::decode::{Limits, decode, decode_fit};
+use inkpanel_engine::raster::header::Header;
 use std::fs;
 
 const FOLDER: &str = "tests/oracles/data/heic";
@@ -23,9 +24,16 @@ fn pictures_are_those_of_libheif() {
     assert!(rows.len() >= 12);
     for row in rows {
         let name = row["file"].as_str().unwrap();
-        let photo = decode(&file(name), &Limits::default()).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let bytes = file(name);
+        let photo = decode(&bytes, &Limits::default()).unwrap_or_else(|error| panic!("{name}: {error}"));
         let expected = decode(&file(row["expected"].as_str().unwrap()), &Limits::default()).unwrap();
         assert_eq!((photo.width, photo.height), (expected.width, expected.height), "{name}");
+        let header = Header::read(&bytes[..bytes.len().min(4096)]).unwrap();
+        assert_eq!(
+            [header.width, header.height],
+            [expected.width, expected.height].map(|side| side as u32),
+            "{name}"
+        );
         let found = psnr(&photo.image.to_rgb(), &expected.image.to_rgb());
         let least = row["least"].as_f64().unwrap();
         assert!(found >= least, "{name}: {found:.1} dB, at least {least}");

@@ -9,7 +9,7 @@ import { failure } from '../engine/protocol.ts';
 import { createEditing } from './editing.ts';
 import { EMPTY_HISTORY } from './history.ts';
 import { freshPlace } from './place.ts';
-import type { ExifThumbnail } from '../engine/exif-thumbnail.ts';
+import type { Thumbnail } from '../engine/photo-header.ts';
 import type { Planner, Unseen } from '../engine/core.ts';
 import type { Intent, LayoutChoice, PageSettings, Template } from '../engine/types.ts';
 import type { Place } from './place.ts';
@@ -48,7 +48,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   const sketch = signal(false);
 
   /** Thumbnails from the files of photos that are not read yet, for the sketch. */
-  const thumbnails: Signal<ReadonlyMap<string, ExifThumbnail>> = signal(new Map());
+  const thumbnails: Signal<ReadonlyMap<string, Thumbnail>> = signal(new Map());
 
   /** Photos with finished face detection before the first page. */
   const faced: Signal<ReadonlySet<string>> = signal(new Set());

@@ -4,7 +4,7 @@
 
 import { panelOf } from '../engine/figures.ts';
 import { shown } from './patches.ts';
-import type { ExifThumbnail } from '../engine/exif-thumbnail.ts';
+import type { Thumbnail } from '../engine/photo-header.ts';
 import type { Geometry } from '../engine/types.ts';
 import type { Sheet, Slot } from './painter.ts';
 import type { Patch } from './patches.ts';
@@ -18,7 +18,7 @@ export function sheetSize({ document, width }: Sheet): { width: number; height: 
 export function drawPage(
   context: CanvasRenderingContext2D,
   sheet: Sheet,
-  thumbnailOf: (photo: string) => ExifThumbnail | undefined = () => undefined,
+  thumbnailOf: (photo: string) => Thumbnail | undefined = () => undefined,
 ) {
   const { width, height } = sheetSize(sheet);
   context.imageSmoothingQuality = 'high';
@@ -32,7 +32,7 @@ function drawPanel(
   sheet: Sheet,
   { patch, coarse, older }: Slot,
   index: number,
-  thumbnailOf: (photo: string) => ExifThumbnail | undefined,
+  thumbnailOf: (photo: string) => Thumbnail | undefined,
 ) {
   const { document, geometry, width } = sheet;
   const ready = patch ?? coarse;
@@ -64,7 +64,7 @@ function drawPanel(
 /** Draws a thumbnail upright in the middle of a box, and covers all of the box. */
 function drawThumbnail(
   context: CanvasRenderingContext2D,
-  { bitmap, turn }: ExifThumbnail,
+  { bitmap, turn }: Thumbnail,
   box: { x: number; y: number; width: number; height: number },
   page: number,
 ) {

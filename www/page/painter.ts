@@ -9,7 +9,7 @@ import { panelOf, picturesOf } from '../engine/figures.ts';
 import { onlyMoved, sameLook, sameShape } from './likeness.ts';
 import { createPatches } from './patches.ts';
 import { createTimer } from '../engine/scheduler.ts';
-import type { ExifThumbnail } from '../engine/exif-thumbnail.ts';
+import type { Thumbnail } from '../engine/photo-header.ts';
 import type { Geometry, PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Patch } from './patches.ts';
@@ -41,7 +41,7 @@ export function createPainter(
       modelsOf?: (document: PageDocument) => string;
       isDraft?: (photo: string) => boolean;
       /** A small image of a photo that is not read yet. */
-      thumbnailOf?: (photo: string) => ExifThumbnail | undefined;
+      thumbnailOf?: (photo: string) => Thumbnail | undefined;
     };
     /** `whole`: all panels are drawn, and none failed. */
     onPainted: (document: PageDocument | null, whole: boolean) => void;

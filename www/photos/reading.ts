@@ -13,10 +13,11 @@ import { inFolderOrder } from './folders.ts';
 import { FRAMES, createFrames } from './frames.ts';
 import { createIntake } from './intake.ts';
 import { MOST } from '../document/limits.ts';
-import { sizesOf } from './sizes.ts';
-import { exifThumbnail } from '../engine/exif-thumbnail.ts';
+import { headersOf, sizesIn } from './headers.ts';
+import { decodeThumbnail } from '../engine/photo-header.ts';
 import { photosOn } from '../engine/sheets.ts';
 import { fetchSamples } from './samples.ts';
+import type { Headers } from './headers.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Fact, Video } from '../document/album.ts';
 import type { Pages } from '../document/pages.ts';
@@ -130,7 +131,8 @@ export function createReading({
     for (const file of given.filter(mayMove)) moving.set(file, (await pictureEnds(file)).length);
     const isEmpty = () => store.tray.peek().length === 0;
     // The first page keeps the layout of its sketch, so the sketch must suit the photos.
-    const [films, sizes] = await Promise.all([filmsAmong(given), isEmpty() ? sizesOf(given) : undefined]);
+    const headers = headersOf(isEmpty() ? given : []);
+    const [films, sizes] = await Promise.all([filmsAmong(given), sizesIn(headers)]);
     const first = isEmpty();
     // As one change: hundreds one by one would each be looked at by all that depends on the album.
     let room = MOST.photos - store.tray.peek().length;
@@ -139,7 +141,7 @@ export function createReading({
         const frames = framesOf(moving.get(file) ?? 0, films.has(file));
         if (Math.max(1, frames) > room) return [];
         room -= Math.max(1, frames);
-        return [sourceOf(file, frames, { credit: credits?.get(file.name), size: sizes?.get(file) })];
+        return [sourceOf(file, frames, { credit: credits?.get(file.name), size: sizes.get(file) })];
       }),
     );
     if (sources.length < given.length)
@@ -160,14 +162,19 @@ export function createReading({
       store.change({ type: 'add-photos', ids, gesture });
     }
     begin(sources);
-    if (first) void showThumbnails(sources);
+    if (first) void showThumbnails(sources, headers);
   }
 
   /** Fills the sketch with the thumbnails that cameras store in their files. */
-  async function showThumbnails(sources: Source[]) {
+  async function showThumbnails(sources: Source[], headers: Headers) {
     const shown = photosOn(store.sheets.peek());
     const photos = sources.filter(({ ids, video }) => !video && shown.has(ids[0]));
-    const found = await Promise.all(photos.map(async ({ ids, file }) => [ids[0], await exifThumbnail(file)] as const));
+    const found = await Promise.all(
+      photos.map(async ({ ids, file }) => {
+        const header = await headers.get(file);
+        return [ids[0], header && (await decodeThumbnail(header))] as const;
+      }),
+    );
     store.thumbnails.value = new Map(found.flatMap(([id, thumbnail]) => (thumbnail ? [[id, thumbnail]] : [])));
   }
 

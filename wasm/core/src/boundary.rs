@@ -31,6 +31,7 @@ use inkpanel_engine::page::rect::PixelRect;
 use inkpanel_engine::page::{Document, StyleRef};
 use inkpanel_engine::page::{Scene, catalogue, png};
 use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::header::Header;
 use inkpanel_engine::raster::heif;
 use inkpanel_engine::raster::resize::{Region, resample_image};
 use inkpanel_engine::raster::{Image, Matte, Plane};
@@ -53,6 +54,27 @@ fn start() {
 #[must_use]
 pub fn taken_in_boxes(bytes: &[u8]) -> Option<String> {
     heif::taken(bytes)
+}
+
+/// The header of a photo; see `raster::header::Header`.
+#[wasm_bindgen(getter_with_clone)]
+pub struct PhotoHeader {
+    /// Width of the upright photo in pixels.
+    pub width: u32,
+    /// Height of the upright photo in pixels.
+    pub height: u32,
+    /// EXIF orientation of the thumbnail, 1 to 8.
+    pub orientation: u8,
+    /// The thumbnail that the camera stored, a JPEG file.
+    pub thumbnail: Option<Vec<u8>>,
+}
+
+/// Reads the header of a photo from the beginning of its file. Undefined for unknown files.
+#[wasm_bindgen]
+#[must_use]
+pub fn photo_header(bytes: &[u8]) -> Option<PhotoHeader> {
+    let Header { width, height, orientation, thumbnail } = Header::read(bytes)?;
+    Some(PhotoHeader { width, height, orientation, thumbnail: thumbnail.map(<[u8]>::to_vec) })
 }
 
 /// Descriptors of all filter blocks, a JSON array.

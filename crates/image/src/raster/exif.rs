@@ -117,6 +117,12 @@ impl<'a> Tiff<'a> {
         self.u32(4)
     }
 
+    /// Position of the directory after the one at `directory`, whose fields it follows.
+    pub(super) fn next_directory(&self, directory: u32) -> Option<u32> {
+        let fields = u32::from(self.u16(directory)?);
+        self.u32(directory.checked_add(2 + 12 * fields)?).filter(|&next| next > 0)
+    }
+
     pub(super) fn u16(&self, at: u32) -> Option<u16> {
         let bytes = *self.record.get(at as usize..)?.first_chunk()?;
         Some(if self.little { u16::from_le_bytes(bytes) } else { u16::from_be_bytes(bytes) })

@@ -40,6 +40,63 @@ pub fn taken(bytes: &[u8]) -> Option<String> {
     exif::read(&record(bytes)?).taken
 }
 
+/// Returns width and height of the upright picture, from the properties of the primary item. The beginning of the file is
+/// enough. Returns `None` for files of other kinds, and if the properties are beyond the given bytes.
+pub(super) fn size(bytes: &[u8]) -> Option<(u32, u32)> {
+    kind(bytes)?;
+    let meta = find(bytes, *b"meta")?.get(4..)?;
+    let properties = find(meta, *b"iprp")?;
+    let listed: Vec<_> = boxes(find(properties, *b"ipco")?).collect();
+    let number = |value: Option<u64>| u32::try_from(value?).ok();
+    let mut size = None;
+    for index in associated(find(properties, *b"ipma")?, primary_item(meta)?)? {
+        let Some(&(kind, content)) = index.checked_sub(1).and_then(|index| listed.get(index)) else {
+            continue;
+        };
+        let mut numbers = Numbers(content);
+        match &kind {
+            b"ispe" => {
+                numbers.next(4)?;
+                size = Some((number(numbers.next(4))?, number(numbers.next(4))?));
+            }
+            b"clap" => {
+                let mut side = || number(numbers.next(4)?.checked_div(numbers.next(4)?));
+                size = Some((side()?, side()?));
+            }
+            // An odd number of quarter turns.
+            b"irot" if numbers.next(1)? & 1 == 1 => size = size.map(|(width, height)| (height, width)),
+            _ => {}
+        }
+    }
+    size
+}
+
+/// Number of the item that viewers show.
+fn primary_item(meta: &[u8]) -> Option<u64> {
+    let mut numbers = Numbers(find(meta, *b"pitm")?);
+    let version = numbers.next(1)?;
+    numbers.next(3)?;
+    numbers.next(if version == 0 { 2 } else { 4 })
+}
+
+/// Numbers from 1 of the properties of an item, in the order in which they apply.
+fn associated(associations: &[u8], wanted: u64) -> Option<Vec<usize>> {
+    let mut numbers = Numbers(associations);
+    let version = numbers.next(1)?;
+    // Two-byte numbers; the highest bit marks essential properties.
+    let wide = numbers.next(3)? & 1 == 1;
+    for _ in 0..numbers.next(4)? {
+        let item = numbers.next(if version == 0 { 2 } else { 4 })?;
+        let count = numbers.next(1)?;
+        let properties: Option<Vec<_>> = (0..count).map(|_| numbers.next(if wide { 2 } else { 1 })).collect();
+        if item == wanted {
+            let most = if wide { 0x7fff } else { 0x7f };
+            return Some(properties?.into_iter().map(|index| (index & most) as usize).collect());
+        }
+    }
+    None
+}
+
 /// Decodes a file of the given kind, upright.
 ///
 /// # Errors

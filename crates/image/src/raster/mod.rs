@@ -19,6 +19,8 @@ mod exif;
 mod gif;
 pub mod guided;
 #[cfg(feature = "decode")]
+pub mod header;
+#[cfg(feature = "decode")]
 pub mod heif;
 #[cfg(feature = "decode")]
 mod icc;
