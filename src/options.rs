@@ -318,7 +318,8 @@ impl PageOptions {
         Ok(self)
     }
 
-    /// Maximum fingerprint distance, in bits of 64, at which two photos count as duplicates. Default: 10.
+    /// Maximum fingerprint distance, in bits of 64, at which two photos count as duplicates. The command
+    /// line has the same default.
     #[must_use]
     pub fn duplicate_threshold(mut self, bits: u32) -> Self {
         self.choice.duplicate_threshold = Some(bits);

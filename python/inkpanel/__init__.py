@@ -96,7 +96,8 @@ def render(
     fonts: paths of TrueType or OpenType files for characters that the bundled fonts lack, such as Arabic or Japanese. The first
         font with a glyph is used. `Page.notes` lists missing glyphs.
     star: indices in `photos`, from 0, of photos for large panels.
-    duplicate_threshold: maximum fingerprint distance at which photos count as duplicates, in bits of 64. Default: 10.
+    duplicate_threshold: maximum fingerprint distance at which photos count as duplicates, in bits of 64. `inkpanel render --help`
+        prints the default.
     keep_all: use all photos, including similar and blurred ones.
     as_given: keep the order of the photos.
     skip_broken: leave out photos that cannot be read, instead of raising an error. `Page.notes` lists them.
