@@ -73,7 +73,7 @@ pub use failure::survived;
 #[cfg(feature = "detect")]
 pub use nets::Nets;
 pub use note::Note;
-pub use options::{BookOptions, PageOptions, layouts};
+pub use options::{BookOptions, PageOptions, layouts, page_settings};
 #[doc(hidden)]
 pub use page::with_names;
 pub use page::{Page, pdf};

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::style::Style;
 use inkpanel_engine::document::page_edits;
-use inkpanel_engine::layout::{PageSettings, PaperSize};
+use inkpanel_engine::layout::{PageSettings, PaperSize, SETTINGS};
 use inkpanel_engine::page::catalogue;
 use inkpanel_engine::page::request::{Families, Request};
 use inkpanel_engine::page::storyboard::Choice;
@@ -18,6 +18,11 @@ const MOST_PAGES: usize = 1_000;
 /// Ids of all page templates, each with its number of panels.
 pub fn layouts() -> impl Iterator<Item = (&'static str, usize)> {
     catalogue::layouts().into_iter().map(|layout| (layout.id, layout.panels.len()))
+}
+
+/// Names of the page settings for [`PageOptions::setting`], each with its help text.
+pub fn page_settings() -> impl Iterator<Item = (String, &'static str)> {
+    SETTINGS.into_iter().map(|setting| (setting.name.replace('-', "_"), setting.help))
 }
 
 /// Options of pages. Default: A4 portrait at 300 DPI, all photos that pass selection, layout and style chosen
@@ -221,6 +226,17 @@ impl PageOptions {
         self.checked()
     }
 
+    /// A page setting by its name, such as `corner_radius`, with its value as JSON. [`page_settings`] lists the names.
+    ///
+    /// # Errors
+    /// `invalid-argument` if the text is not JSON; `invalid-document` for an unknown name or an invalid value.
+    pub fn setting(mut self, name: &str, json: &str) -> Result<Self, Failure> {
+        let value =
+            serde_json::from_str(json).map_err(|error| Failure::argument(name, &error.to_string()))?;
+        self.page.set(&name.replace('_', "-"), &value)?;
+        Ok(self)
+    }
+
     /// Distance between two panels, 0 to .1 of the page's width.
     ///
     /// # Errors
@@ -302,7 +318,8 @@ impl PageOptions {
         Ok(self)
     }
 
-    /// Maximum fingerprint distance, in bits of 64, at which two photos count as duplicates. Default: 10.
+    /// Maximum fingerprint distance, in bits of 64, at which two photos count as duplicates. The command
+    /// line has the same default.
     #[must_use]
     pub fn duplicate_threshold(mut self, bits: u32) -> Self {
         self.choice.duplicate_threshold = Some(bits);

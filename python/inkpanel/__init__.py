@@ -22,11 +22,12 @@ from pathlib import Path as _Path
 from ._inkpanel import Error, Page, __version__, blocks, layouts, styles
 from . import _inkpanel
 
-__all__ = ["Error", "Page", "__version__", "blocks", "book", "layouts", "pdf", "render", "styles", "stylize"]
+__all__ = ["Error", "Page", "__version__", "blocks", "book", "layouts", "page_settings", "pdf", "render", "styles", "stylize"]
 
 # The models in the wheel.
 _MODELS = _Path(__file__).parent / "models"
 _inkpanel.find_painters(_MODELS)
+_PAGE_SETTINGS = dict(_inkpanel.page_settings())
 
 
 def stylize(array, style, *, seed=None):
@@ -57,14 +58,7 @@ def render(
     page_size=None,
     width=None,
     dpi=None,
-    gutter=None,
-    margin=None,
-    border=None,
-    corner_radius=None,
-    paper=None,
-    border_color=None,
     merge=False,
-    whole_photos=False,
     detect=True,
     models=None,
     words=None,
@@ -76,6 +70,7 @@ def render(
     as_given=False,
     skip_broken=False,
     _book=None,
+    **page_settings,
 ):
     """Makes one comic page of photos, or several.
 
@@ -91,10 +86,7 @@ def render(
         (width, height) in pixels, each from 64 to 14000, with at most 72 million pixels. Default: A4.
     width: width in pixels, from 64 to 14000. The paper size does not change.
     dpi: pixels per inch, from 36 to 1200. It sets the number of pixels of a named size or a paper size.
-    gutter, margin, border, corner_radius: lengths as a fraction of the page width.
-    paper, border_color: colours as "#rrggbb".
     merge: whether panels may share one image.
-    whole_photos: whether photos are shown whole: the layout follows their aspect ratios.
     detect: whether faces and objects are detected, so that crops do not cut them. Takes most of the planning time.
     models: folder with faces.onnx, objects.onnx and optionally landmarks.onnx. Default: the models in the wheel.
     words: captions, balloons and sound effects of the first page, as a list of dicts such as
@@ -104,10 +96,13 @@ def render(
     fonts: paths of TrueType or OpenType files for characters that the bundled fonts lack, such as Arabic or Japanese. The first
         font with a glyph is used. `Page.notes` lists missing glyphs.
     star: indices in `photos`, from 0, of photos for large panels.
-    duplicate_threshold: maximum fingerprint distance at which photos count as duplicates, in bits of 64. Default: 10.
+    duplicate_threshold: maximum fingerprint distance at which photos count as duplicates, in bits of 64. `inkpanel render --help`
+        prints the default.
     keep_all: use all photos, including similar and blurred ones.
     as_given: keep the order of the photos.
     skip_broken: leave out photos that cannot be read, instead of raising an error. `Page.notes` lists them.
+    page_settings: gutter, margin, border, corner_radius, paper, border_color, rtl, whole_photos and all other settings that
+        `page_settings()` lists.
 
     Returns a `Page`, or a list of pages if `pages` is set.
 
@@ -118,7 +113,10 @@ def render(
     """
     if isinstance(photos, (str, bytes, _os.PathLike)) or hasattr(photos, "dtype"):
         photos = [photos]
+    if unknown := page_settings.keys() - _PAGE_SETTINGS.keys():
+        raise TypeError(f"render() got an unexpected keyword argument {min(unknown)!r}")
     settings = {
+        **page_settings,
         "layout": _choice(layout),
         "style": _choice(style),
         "panels": panels,
@@ -127,14 +125,7 @@ def render(
         "page_size": page_size,
         "width": width,
         "dpi": dpi,
-        "gutter": gutter,
-        "margin": margin,
-        "border": border,
-        "corner_radius": corner_radius,
-        "paper": paper,
-        "border_color": border_color,
         "merge": merge,
-        "whole_photos": whole_photos,
         "models": (_os.fspath(models) if models else str(_MODELS)) if detect else None,
         "words": words,
         "edits": edits,
@@ -239,6 +230,11 @@ def _pictures(folder):
         for file in found
         if file.is_file() and not any(part.startswith(".") for part in file.relative_to(folder).parts)
     ]
+
+
+def page_settings():
+    """Returns the names of the page settings of `render`, each with its help text, as a dict."""
+    return dict(_PAGE_SETTINGS)
 
 
 def pdf(pages, *, title="", language="en"):

@@ -4,12 +4,24 @@ from typing import Any, Union, final, overload
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import TypedDict, Unpack
 
 __version__: str
 
 _Pixels = NDArray[np.uint8]
 _Photo = Union[str, os.PathLike[str], bytes, _Pixels]
 _Json = dict[str, Any]
+
+class _PageSettings(TypedDict, total=False):
+    # `cargo xtask bless bounds` writes these lines.
+    gutter: float | None
+    margin: float | None
+    border: float | None
+    corner_radius: float | None
+    rtl: bool | None
+    whole_photos: bool | None
+    paper: str | None
+    border_color: str | None
 
 class Error(ValueError):
     code: str
@@ -70,14 +82,7 @@ def render(
     page_size: str | tuple[int, int] | None = None,
     width: int | None = None,
     dpi: int | None = None,
-    gutter: float | None = None,
-    margin: float | None = None,
-    border: float | None = None,
-    corner_radius: float | None = None,
-    paper: str | None = None,
-    border_color: str | None = None,
     merge: bool = False,
-    whole_photos: bool = False,
     detect: bool = True,
     models: str | os.PathLike[str] | None = None,
     words: Sequence[_Json] | None = None,
@@ -88,6 +93,7 @@ def render(
     keep_all: bool = False,
     as_given: bool = False,
     skip_broken: bool = False,
+    **page_settings: Unpack[_PageSettings],
 ) -> Page: ...
 @overload
 def render(
@@ -101,14 +107,7 @@ def render(
     page_size: str | tuple[int, int] | None = None,
     width: int | None = None,
     dpi: int | None = None,
-    gutter: float | None = None,
-    margin: float | None = None,
-    border: float | None = None,
-    corner_radius: float | None = None,
-    paper: str | None = None,
-    border_color: str | None = None,
     merge: bool = False,
-    whole_photos: bool = False,
     detect: bool = True,
     models: str | os.PathLike[str] | None = None,
     words: Sequence[_Json] | None = None,
@@ -119,7 +118,9 @@ def render(
     keep_all: bool = False,
     as_given: bool = False,
     skip_broken: bool = False,
+    **page_settings: Unpack[_PageSettings],
 ) -> list[Page]: ...
+def page_settings() -> dict[str, str]: ...
 def pdf(pages: Iterable[Page], *, title: str = "", language: str = "en") -> bytes: ...
 def styles() -> list[_Json]: ...
 def layouts() -> list[_Json]: ...

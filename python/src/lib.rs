@@ -46,6 +46,12 @@ mod _inkpanel {
         });
     }
 
+    /// Names and help texts of the page settings.
+    #[pyfunction]
+    fn page_settings() -> Vec<(String, &'static str)> {
+        inkpanel::page_settings().collect()
+    }
+
     /// All filter blocks with their parameters.
     #[pyfunction]
     fn blocks(py: Python<'_>) -> PyResult<Py<PyAny>> {

@@ -116,29 +116,13 @@ impl Told {
         if let Some(edits) = self.take::<Value>("edits")? {
             options = options.edits(&edits.to_string())?;
         }
-        let lengths: [(&str, Setter<f64>); 4] = [
-            ("gutter", PageOptions::gutter),
-            ("margin", PageOptions::margin),
-            ("border", PageOptions::border),
-            ("corner_radius", PageOptions::corner_radius),
-        ];
-        for (name, set) in lengths {
-            if let Some(length) = self.take(name)? {
-                options = set(options, length)?;
+        for (name, _) in inkpanel::page_settings() {
+            if let Some(value) = self.take::<Value>(&name)? {
+                options = options.setting(&name, &value.to_string())?;
             }
         }
-        if let Some(colour) = self.take::<String>("paper")? {
-            options = options.paper(&colour)?;
-        }
-        if let Some(colour) = self.take::<String>("border_color")? {
-            options = options.border_color(&colour)?;
-        }
-        let (merge, whole) = (self.flag("merge")?, self.flag("whole_photos")?);
-        Ok(options
-            .merge(merge)
-            .whole_photos(whole)
-            .keep_all(self.flag("keep_all")?)
-            .as_given(self.flag("as_given")?))
+        let options = options.merge(self.flag("merge")?);
+        Ok(options.keep_all(self.flag("keep_all")?).as_given(self.flag("as_given")?))
     }
 
     fn sized(&mut self, options: PageOptions) -> Done<PageOptions> {
@@ -159,6 +143,3 @@ impl Told {
         })
     }
 }
-
-/// A setting of the options.
-type Setter<T> = fn(PageOptions, T) -> Result<PageOptions, inkpanel::Failure>;

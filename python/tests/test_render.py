@@ -234,6 +234,14 @@ def test_what_cannot_be_is_said(album, settings, code, says):
     assert error.value.code == code and says in str(error.value)
 
 
+def test_page_settings_have_names(album):
+    page = inkpanel.render(album, detect=False, width=320, style="noir", rtl=True, corner_radius=0.01, paper="#123456")
+    assert page.plan["page"]["rtl"] and page.plan["page"]["cornerRadius"] == 0.01
+    assert {"gutter", "corner_radius", "border_color", "rtl"} <= inkpanel.page_settings().keys()
+    with pytest.raises(TypeError, match="guter"):
+        inkpanel.render(album, guter=0.01)
+
+
 def test_no_photos():
     for nothing in ([], iter(())):
         with pytest.raises(inkpanel.Error) as error:

@@ -4,7 +4,7 @@
 use inkpanel_engine::document::history::History;
 use inkpanel_engine::document::{kept, limits, script, spreading, subtitles};
 use inkpanel_engine::kinds::{KINDS, Kind, Role, SIGNATURES, SYSTEM_FOLDERS, SYSTEM_NAMES};
-use inkpanel_engine::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
+use inkpanel_engine::layout::{DPI, Field, MOST_PIXELS, PRESETS, PagePreset, SETTINGS, SIDES, Setting};
 use inkpanel_engine::output::animatic::{self, Animatic};
 use inkpanel_engine::page::words::model::FARTHEST;
 use inkpanel_engine::raster::heif;
@@ -222,6 +222,26 @@ fn check(file: &str, expected: &str) {
 #[test]
 fn the_page_has_the_bounds_of_the_core() {
     check("www/engine/bounds.ts", &bounds());
+}
+
+/// The types of the Python package, with all page settings.
+#[test]
+fn python_has_the_types_of_the_page_settings() {
+    let file = "python/inkpanel/__init__.pyi";
+    let types = std::fs::read_to_string(crate::root(file)).unwrap();
+    let (before, rest) = types.split_once("class _PageSettings").unwrap();
+    let (_, after) = rest.split_once("\n\n").unwrap();
+    let line = |Setting { name, field, .. }| {
+        let kind = match field {
+            Field::Length(..) => "float",
+            Field::Colour(_) => "str",
+            Field::Flag(_) => "bool",
+        };
+        format!("    {}: {kind} | None\n", name.replace('-', "_"))
+    };
+    let lines = SETTINGS.map(line).concat();
+    let head = "class _PageSettings(TypedDict, total=False):\n    # `cargo xtask bless bounds` writes these lines.\n";
+    check(file, &format!("{before}{head}{lines}\n{after}"));
 }
 
 #[test]

@@ -1,18 +1,22 @@
 #!/usr/bin/env python3
 """Expected results of every filter block, made by other libraries.
 
-    python3 tests/oracles/blocks.py        (numpy, pillow, scipy, scikit-image, opencv-contrib-python-headless)
+    python3 tests/oracles/blocks.py            all blocks
+    python3 tests/oracles/blocks.py posterize  only the pictures of these blocks
+
+Needs numpy, opencv-contrib-python-headless, pillow, scipy and scikit-image, and onnxruntime for the block Painter.
 
 Writes tests/oracles/data/blocks/: the photo and its luma, and one PNG per block with its cases one below the
 other. The file blocks.json has the block, parameters and rows of each case. The file similarity.json has one
-value for tests/preview.rs. The test tests/blocks.rs compares them. The tolerance and its reason are next to
-each block. Parameters in pixels are pixels of these files, because the test sets the scale to 1.
+value for tests/it/preview.rs. The test tests/it/blocks.rs compares them, with the tolerance of each block and its
+reason. Parameters in pixels are pixels of these files, because the test sets the scale to 1.
 """
 
 import base64
 import io
 import json
 import pathlib
+import sys
 
 import cv2
 import numpy as np
@@ -283,8 +287,11 @@ CASES = [
 ]
 
 
-def main():
+def main(chosen):
+    """Computes the chosen blocks, or all blocks. The rows and pictures of the others stay."""
     OUT.mkdir(parents=True, exist_ok=True)
+    stored = json.loads((OUT / "blocks.json").read_text()) if chosen else []
+    others = [row for row in stored if row["block"] not in chosen]
     photo = np.asarray(Image.open(ROOT / "tests/photos/macaw.jpg").convert("RGB"))[90:234, 250:442]
     sources = {COLOR: photo.astype(float)}
     sources[LUMA] = to_u8(sources[COLOR] @ WEIGHTS).astype(float)
@@ -293,6 +300,9 @@ def main():
     rows, sheets = [], {}
     for block, source, params in CASES:
         name = {etf: "etf", sheet_of_paper: "paper"}.get(block, block.__name__)
+        if chosen and name not in chosen:
+            rows.append(others.pop(0))
+            continue
         expected = to_u8(block(sources[source], **params))
         if expected.ndim == 2 and any(c[0] is block and c[1] == COLOR for c in CASES) and block is not to_gray:
             expected = np.repeat(expected[..., None], 3, -1)
@@ -305,9 +315,14 @@ def main():
         pad = [[(0, 0), (0, width - part.shape[1]), (0, 0)][: part.ndim] for part in parts]
         sheet = np.concatenate([np.pad(part, p) for part, p in zip(parts, pad)])
         Image.fromarray(sheet).save(OUT / f"{name}.png", optimize=True)
-    similarity = structural_similarity(sources[LUMA].astype(np.uint8), sheets["etf"][0], data_range=255)
-    (OUT / "similarity.json").write_text(json.dumps({"luma_etf": round(similarity, 9)}) + "\n")
+    if not chosen or "etf" in chosen:
+        write_similarity(sources[LUMA], sheets["etf"][0])
     (OUT / "blocks.json").write_text("[\n" + ",\n".join(json.dumps(row) for row in rows) + "\n]\n")
 
 
-main()
+def write_similarity(luma, smoothed):
+    similarity = structural_similarity(luma.astype(np.uint8), smoothed, data_range=255)
+    (OUT / "similarity.json").write_text(json.dumps({"luma_etf": round(similarity, 9)}) + "\n")
+
+
+main(sys.argv[1:])

@@ -13,7 +13,6 @@ import json
 import pathlib
 
 import numpy as np
-import onnxruntime
 from PIL import Image
 from scipy.ndimage import convolve1d, uniform_filter
 
@@ -37,6 +36,8 @@ def shares(number):
 
 
 def network(image, number):
+    import onnxruntime  # Only this block needs it.
+
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads, options.log_severity_level = 1, 3
     session = onnxruntime.InferenceSession(MODEL, options, providers=["CPUExecutionProvider"])

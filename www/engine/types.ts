@@ -1409,8 +1409,10 @@ export type Expression = {
 export type Block = {
   /** Name in style files. */
   id: string,
-  /** Display name. */
+  /** Display name: the technical term. */
   label: string,
+  /** Plain name, if the label is a technical term. */
+  plain?: string,
   /** Description in one line. */
   help: string,
   /** Channels of the input. */

@@ -107,22 +107,26 @@ export function PageSettingsForm() {
         />
         {strings.wholePhotos}
       </label>
-      {LENGTHS.map(({ name, most, step }) => (
-        <label class="field length" key={name}>
-          <span>{strings[name]}</span>
-          <input
-            type="range"
-            min="0"
-            max={most}
-            step={step}
-            value={settings[name] * 100}
-            aria-valuetext={strings.percent(settings[name], 1)}
-            onInput={(event) => change(name, Number((event.currentTarget.valueAsNumber / 100).toFixed(5)))}
-            onChange={rest}
-          />
-          <output aria-hidden="true">{strings.percent(settings[name], 1)}</output>
-        </label>
-      ))}
+      {LENGTHS.map(({ name, most, step }) => {
+        // A setting that is 0 by default may be missing.
+        const length = settings[name] ?? 0;
+        return (
+          <label class="field length" key={name}>
+            <span>{strings[name]}</span>
+            <input
+              type="range"
+              min="0"
+              max={most}
+              step={step}
+              value={length * 100}
+              aria-valuetext={strings.percent(length, 1)}
+              onInput={(event) => change(name, Number((event.currentTarget.valueAsNumber / 100).toFixed(5)))}
+              onChange={rest}
+            />
+            <output aria-hidden="true">{strings.percent(length, 1)}</output>
+          </label>
+        );
+      })}
       {COLOURS.map((name) => (
         <label class="field colour" key={name}>
           <span>{strings[name]}</span>

@@ -4,7 +4,7 @@
 
 import type { VerdictReason } from '../engine/types.ts';
 
-export type Block = { id: string; label: string; help: string };
+export type Block = { id: string; label: string; plain?: string; help: string };
 export type Parameter = { id: string; label: string; help?: string };
 
 type Texts = Readonly<Record<string, string>>;
@@ -15,6 +15,8 @@ export type Names = {
   families: Texts;
   /** Choices of parameters. */
   choices: Texts;
+  /** A plain name with the technical term in brackets. */
+  blockNames: Texts;
   blockHelp: Texts;
   /** By block and parameter. */
   parameters: Readonly<Record<string, Readonly<Record<string, { name: string; help: string }>>>>;
@@ -26,8 +28,6 @@ export type Names = {
 
 /** Messages that name things of the core. */
 type Named = {
-  /** A plain name with the technical term in brackets. */
-  blockNames: Texts;
   choices: Texts;
   /** The reasons of the core for selecting or excluding a photo. */
   verdicts: {
@@ -45,7 +45,7 @@ const withoutHyphens = (title: string) => title.replaceAll('\u00ad', '');
 const asName = (id: string) => id.charAt(0).toUpperCase() + id.slice(1).replaceAll(/[-_]/g, ' ');
 
 /** @param names missing in English */
-export function naming({ blockNames, choices, verdicts }: Named, names: Partial<Names> = {}) {
+export function naming({ choices, verdicts }: Named, names: Partial<Names> = {}) {
   /** Titles with soft hyphens, for narrow tiles: not every browser hyphenates every language. */
   const layoutTile = (layout: { id: string; name: string }) => names.layouts?.[layout.id] ?? layout.name;
   const styleTile = (style: { id: string; name: string }) => names.styles?.[style.id] ?? style.name;
@@ -53,7 +53,7 @@ export function naming({ blockNames, choices, verdicts }: Named, names: Partial<
   return {
     /** @param id of a family of layouts or a tag of styles */
     familyName: (id: string) => names.families?.[id] ?? asName(id),
-    blockName: (block: Block) => blockNames[block.id] ?? block.label,
+    blockName: ({ id, label, plain }: Block) => names.blockNames?.[id] ?? (plain ? `${plain} (${label})` : label),
     blockHelp: (block: Block) => names.blockHelp?.[block.id] ?? block.help,
     /** @param block id */
     parameterName: (block: string, parameter: Parameter) => parameterOf(block, parameter)?.name ?? parameter.label,

@@ -2,7 +2,7 @@
 
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { core } from '../engine/testing-core.ts';
+import { blocks } from '../engine/types-written.ts';
 import { catalogue, compileMessage, languagesOf, leaves } from './compile.js';
 import { compose } from './compose.ts';
 import { LANGUAGES, localeOf, pickLanguage } from './language.ts';
@@ -37,7 +37,7 @@ const counts = (text: string, name: string) => text.includes(`{${name}, plural,`
 const styles = readAll('../../styles/');
 const layouts = readAll('../../layouts/');
 const families = [...styles.flatMap(({ tags }) => tags), ...layouts.map(({ family }) => family)];
-const choices = core.blocks().flatMap(({ params }) => params.flatMap(({ choices }) => choices ?? []));
+const choices = blocks.flatMap(({ params }) => params.flatMap(({ choices }) => choices ?? []));
 const asName = inLanguage('en');
 
 /** The names of the core and of the data files: the source of `names/`. */
@@ -48,14 +48,13 @@ const NAMES = {
       .filter((id) => !source.has(`messages.choices.${id}`))
       .map((id) => [id, asName.choiceName(id)]),
   ),
-  blockHelp: Object.fromEntries(core.blocks().map(({ id, help }) => [id, help])),
+  blockNames: Object.fromEntries(blocks.map((block) => [block.id, asName.blockName(block)])),
+  blockHelp: Object.fromEntries(blocks.map(({ id, help }) => [id, help])),
   parameters: Object.fromEntries(
-    core
-      .blocks()
-      .map(({ id, params }) => [
-        id,
-        Object.fromEntries(params.map((param) => [param.id, { name: param.label, help: param.help ?? '' }])),
-      ]),
+    blocks.map(({ id, params }) => [
+      id,
+      Object.fromEntries(params.map((param) => [param.id, { name: param.label, help: param.help ?? '' }])),
+    ]),
   ),
   layouts: Object.fromEntries(layouts.map(({ id, name }) => [id, name])),
   styles: Object.fromEntries(styles.map(({ id, name }) => [id, name])),
@@ -128,8 +127,7 @@ describe.each(others)('the messages in %s', (code) => {
   it('tell two styles from each other, two layouts of a family, and two blocks', () => {
     const twice = (list: string[]) => list.filter((name, at) => list.indexOf(name) !== at);
     const family = (id: string) => id.split('-')[0];
-    const { styles, layouts } = catalogue('names', code) as Record<string, Record<string, string>>;
-    const { blockNames } = catalogue('messages', code) as Record<string, Record<string, string>>;
+    const { styles, layouts, blockNames } = catalogue('names', code) as Record<string, Record<string, string>>;
     expect([
       ...twice(Object.values(styles)),
       ...twice(Object.values(blockNames)),
@@ -152,9 +150,9 @@ it('texts are set by the rules of their language', () => {
 });
 
 it('blocks have a plain name first, then the term of the field in brackets', () => {
-  const plain = new Set(['brightness', 'paper']);
+  const plain = new Set<string>(blocks.filter((block) => !block.plain).map(({ id }) => id));
   for (const code of codes) {
-    const { blockNames } = catalogue('messages', code) as Record<string, Record<string, string>>;
+    const { blockNames } = catalogue('names', code) as Record<string, Record<string, string>>;
     const told = Object.entries(blockNames).filter(([id]) => !plain.has(id));
     expect(told.length).toBeGreaterThan(PARTIAL.includes(code) ? -1 : 15);
     expect(
@@ -163,11 +161,7 @@ it('blocks have a plain name first, then the term of the field in brackets', () 
     ).toEqual([]);
   }
   const strings = inLanguage('en');
-  for (const block of core.blocks()) {
-    const name = strings.blockName(block);
-    expect(name === block.label || name.endsWith(` (${block.label})`), name).toBe(true);
-    expect(strings.blockHelp(block)).toBe(block.help);
-  }
+  for (const block of blocks) expect(strings.blockHelp(block)).toBe(block.help);
 });
 
 it('long words break at syllables in narrow tiles, and nowhere else', () => {
@@ -214,8 +208,8 @@ it('many names are counted, and sentences are joined as the language joins them'
 });
 
 it('no message has the name of a function of the app', () => {
-  const strings = compose('en', { messages: () => ({ verdicts: {}, blockNames: {}, choices: {} }) as never });
-  const names = Object.keys(strings).filter((name) => !['verdicts', 'blockNames', 'choices'].includes(name));
+  const strings = compose('en', { messages: () => ({ verdicts: {}, choices: {} }) as never });
+  const names = Object.keys(strings).filter((name) => !['verdicts', 'choices'].includes(name));
   expect(names.length).toBeGreaterThan(15);
   expect(names.filter((name) => Object.hasOwn(english, name))).toEqual([]);
 });

@@ -47,8 +47,14 @@ const TOPICS: &[Topic] = &[
             ("bounds", "the_page_has_the_bounds_of_the_core"),
             ("bounds", "the_page_begins_with_the_project_of_the_core"),
             ("bounds", "the_page_has_the_kinds_of_files_of_the_core"),
+            ("bounds", "python_has_the_types_of_the_page_settings"),
         ],
-        stored: &["www/engine/bounds.ts", "www/document/empty.ts", "www/engine/file-table.ts"],
+        stored: &[
+            "www/engine/bounds.ts",
+            "www/document/empty.ts",
+            "www/engine/file-table.ts",
+            "python/inkpanel/__init__.pyi",
+        ],
     },
     Topic {
         name: "shots",

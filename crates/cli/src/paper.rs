@@ -1,12 +1,13 @@
 //! The page settings of the command line: size, gutters and colours.
 
 use crate::CliError;
-use inkpanel_engine::layout::{DPI, PageSettings, PaperSize};
+use clap::{Arg, ArgAction, ArgMatches, Command, FromArgMatches, value_parser};
+use inkpanel_engine::layout::{DPI, Field, PageSettings, PaperSize, SETTINGS, Setting};
+use serde_json::Value;
 
 /// Size, gutters and colours of a page. The defaults match a new page in the app.
 #[derive(clap::Args, Default, PartialEq, Debug)]
 #[command(next_help_heading = "Page (photos only)")]
-#[allow(clippy::struct_field_names, reason = "they are the names of options")]
 pub(crate) struct Paper {
     /// Page size. [default: a4]
     ///
@@ -15,35 +16,53 @@ pub(crate) struct Paper {
     #[arg(long, value_name = "NAME|WxH", value_parser = PaperSize::parse)]
     page_size: Option<PaperSize>,
     /// Resolution in pixels per inch, from 36 to 1200. [default: 300 on paper]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(i64::from(DPI[0])..=i64::from(DPI[1])))]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(i64::from(DPI[0])..=i64::from(DPI[1])))]
     dpi: Option<u32>,
     /// Width of the page in pixels. The paper size stays and the resolution changes.
-    #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(64..=14_000))]
+    #[arg(long, value_name = "PX", value_parser = value_parser!(u32).range(64..=14_000))]
     width: Option<u32>,
-    /// Distance between panels, as a fraction of the page width.
-    #[arg(long, value_name = "PART")]
-    gutter: Option<f64>,
-    /// Distance between panels and the page edge, as a fraction of the page width.
-    #[arg(long, value_name = "PART")]
-    margin: Option<f64>,
-    /// Width of the panel border, as a fraction of the page width.
-    #[arg(long, value_name = "PART")]
-    border: Option<f64>,
-    /// Radius of the panel corners, as a fraction of the page width.
-    #[arg(long, value_name = "PART")]
-    corner_radius: Option<f64>,
-    /// Read pages from right to left: layouts are mirrored.
-    #[arg(long)]
-    rtl: bool,
-    /// Show photos whole: the layout follows their aspect ratios.
-    #[arg(long)]
-    whole_photos: bool,
-    /// Paper colour, as #rrggbb.
-    #[arg(long, value_name = "COLOUR")]
-    paper: Option<String>,
-    /// Colour of the panel border, as #rrggbb.
-    #[arg(long, value_name = "COLOUR")]
-    border_color: Option<String>,
+    #[command(flatten)]
+    given: Given,
+}
+
+/// The settings of [`SETTINGS`] that the user gave, by name.
+#[derive(Default, PartialEq, Debug)]
+struct Given(Vec<(&'static str, Value)>);
+
+impl clap::Args for Given {
+    fn augment_args(command: Command) -> Command {
+        command.args(SETTINGS.map(|Setting { name, field, help }| {
+            let option = Arg::new(name).long(name).help(help.trim_end_matches('.'));
+            match field {
+                Field::Length(..) => option.value_name("PART").value_parser(value_parser!(f64)),
+                Field::Colour(_) => option.value_name("COLOUR"),
+                Field::Flag(_) => option.action(ArgAction::SetTrue),
+            }
+        }))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for Given {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let given = |Setting { name, field, .. }| {
+            let value = match field {
+                Field::Length(..) => Value::from(*matches.get_one::<f64>(name)?),
+                Field::Colour(_) => Value::from(matches.get_one::<String>(name)?.as_str()),
+                Field::Flag(_) => Value::from(matches.get_flag(name).then_some(true)?),
+            };
+            Some((name, value))
+        };
+        Ok(Self(SETTINGS.into_iter().filter_map(given).collect()))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
 }
 
 impl Paper {
@@ -53,22 +72,14 @@ impl Paper {
     /// # Errors
     /// A sentence for invalid settings.
     pub(crate) fn settings(&self, with_paper: bool) -> Result<PageSettings, CliError> {
-        let mut usual = PageSettings::sized(self.page_size, self.dpi, self.width);
+        let mut page = PageSettings::sized(self.page_size, self.dpi, self.width);
         let has_paper = !matches!(self.page_size, Some(PaperSize::Pixels(..)));
         if with_paper && has_paper && self.width.is_some() && self.dpi.is_none() {
-            usual = PageSettings::sized(self.page_size, Some(usual.dpi), None);
+            page = PageSettings::sized(self.page_size, Some(page.dpi), None);
         }
-        let page = PageSettings {
-            gutter: self.gutter.unwrap_or(usual.gutter),
-            margin: self.margin.unwrap_or(usual.margin),
-            border: self.border.unwrap_or(usual.border),
-            corner_radius: self.corner_radius.unwrap_or(usual.corner_radius),
-            paper: self.paper.clone().unwrap_or(usual.paper),
-            border_color: self.border_color.clone().unwrap_or(usual.border_color),
-            rtl: self.rtl,
-            whole_photos: self.whole_photos,
-            ..usual
-        };
+        for (name, value) in &self.given.0 {
+            page.set(name, value)?;
+        }
         page.validate()?;
         Ok(page)
     }
@@ -98,7 +109,7 @@ mod tests {
     fn what_no_page_can_be_is_refused() {
         let huge = Paper { page_size: Some(PaperSize::parse("13000x13000").unwrap()), ..Paper::default() };
         assert!(huge.settings(false).unwrap_err().to_string().contains("million pixels"));
-        let wide = Paper { gutter: Some(0.5), ..Paper::default() };
+        let wide = Paper { given: Given(vec![("gutter", 0.5.into())]), ..Paper::default() };
         assert!(wide.settings(false).unwrap_err().to_string().contains("page.gutter"));
     }
 }

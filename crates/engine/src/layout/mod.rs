@@ -31,7 +31,8 @@ pub use polygon::{Bounds, Point};
 pub use reading::reading_order;
 pub use resolve::{ResolvedPanel, ResolvedShape, resolve};
 pub use settings::{
-    COARSE, DEFAULT_GUTTER, DPI, MOST_PIXELS, PRESETS, PagePreset, PageSettings, Purpose, SIDES, preset,
+    COARSE, DEFAULT_GUTTER, DPI, Field, MOST_PIXELS, PRESETS, PagePreset, PageSettings, Purpose, SETTINGS,
+    SIDES, Setting, preset,
 };
 pub use template::{Body, LEAST_THICKNESS, Panel, Shape, Template};
 pub use whole::{Whole, whole};

@@ -91,6 +91,83 @@ impl Default for PageSettings {
     }
 }
 
+/// A setting that users choose by its name. The command line, Python and the public API read this list, and
+/// [`PageSettings::validate`] checks the ranges.
+pub struct Setting {
+    /// Name as an option of the command line. Python has `_` instead of `-`.
+    pub name: &'static str,
+    /// Its field.
+    pub field: Field,
+    /// Help text.
+    pub help: &'static str,
+}
+
+/// A field of [`PageSettings`].
+pub enum Field {
+    /// A length in page widths, from 0 to this maximum.
+    Length(fn(&mut PageSettings) -> &mut f64, f64),
+    /// A colour, `#rrggbb`.
+    Colour(fn(&mut PageSettings) -> &mut String),
+    /// Whether it is on.
+    Flag(fn(&mut PageSettings) -> &mut bool),
+}
+
+/// The settings that users choose by name, in the order of the help.
+pub const SETTINGS: [Setting; 8] = [
+    Setting {
+        name: "gutter",
+        field: Field::Length(|page| &mut page.gutter, 0.1),
+        help: "Distance between panels, as a fraction of the page width.",
+    },
+    Setting {
+        name: "margin",
+        field: Field::Length(|page| &mut page.margin, 0.2),
+        help: "Distance between panels and the page edge, as a fraction of the page width.",
+    },
+    Setting {
+        name: "border",
+        field: Field::Length(|page| &mut page.border, 0.05),
+        help: "Width of the panel border, as a fraction of the page width.",
+    },
+    Setting {
+        name: "corner-radius",
+        field: Field::Length(|page| &mut page.corner_radius, 0.2),
+        help: "Radius of the panel corners, as a fraction of the page width.",
+    },
+    Setting {
+        name: "rtl",
+        field: Field::Flag(|page| &mut page.rtl),
+        help: "Read pages from right to left: layouts are mirrored.",
+    },
+    Setting {
+        name: "whole-photos",
+        field: Field::Flag(|page| &mut page.whole_photos),
+        help: "Show photos whole: the layout follows their aspect ratios.",
+    },
+    Setting {
+        name: "paper",
+        field: Field::Colour(|page| &mut page.paper),
+        help: "Paper colour, as #rrggbb.",
+    },
+    Setting {
+        name: "border-color",
+        field: Field::Colour(|page| &mut page.border_color),
+        help: "Colour of the panel border, as #rrggbb.",
+    },
+];
+
+impl Setting {
+    /// Name in JSON, such as `cornerRadius`.
+    fn key(&self) -> String {
+        let mut parts = self.name.split('-');
+        let first = parts.next().unwrap_or_default().to_owned();
+        parts.fold(first, |key, part| {
+            let (head, rest) = part.split_at(1);
+            key + &head.to_uppercase() + rest
+        })
+    }
+}
+
 /// Purpose of a page size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -239,6 +316,22 @@ impl PageSettings {
         rgb(&self.border_color).unwrap_or([0; 3])
     }
 
+    /// Sets one of [`SETTINGS`], by its name.
+    ///
+    /// # Errors
+    /// `invalid-document` naming the field as `page.gutter`.
+    pub fn set(&mut self, name: &str, value: &Value) -> Result<()> {
+        let setting = SETTINGS.into_iter().find(|setting| setting.name == name);
+        let setting = setting.ok_or_else(|| invalid(name, "is not a page setting".into()))?;
+        let wrong = |kind: &str| invalid(&setting.key(), format!("must be {kind}, not {value}"));
+        match setting.field {
+            Field::Length(of, _) => *of(self) = value.as_f64().ok_or_else(|| wrong("a number"))?,
+            Field::Colour(of) => value.as_str().ok_or_else(|| wrong("a colour"))?.clone_into(of(self)),
+            Field::Flag(of) => *of(self) = value.as_bool().ok_or_else(|| wrong("true or false"))?,
+        }
+        self.validate()
+    }
+
     /// Checks every field.
     ///
     /// # Errors
@@ -254,32 +347,32 @@ impl PageSettings {
             let most = MOST_PIXELS / 1_000_000;
             return Err(invalid("width", format!("times height must be at most {most} million pixels")));
         }
-        let lengths = [
-            ("gutter", self.gutter, 0.1),
-            ("margin", self.margin, 0.2),
-            ("border", self.border, 0.05),
-            ("cornerRadius", self.corner_radius, 0.2),
-            ("bleed", self.bleed, 0.1),
-        ];
-        for (field, value, most) in lengths {
-            if !(0.0..=most).contains(&value) {
-                return Err(invalid(
-                    field,
-                    format!("must be from 0 to {most} of the page's width, not {value}"),
-                ));
-            }
-        }
-        for (field, value) in [("paper", &self.paper), ("borderColor", &self.border_color)] {
-            if rgb(value).is_none() {
-                return Err(invalid(field, format!("must be a colour like #f4efe6, not \"{value}\"")));
-            }
-        }
-        Ok(())
+        check_length("bleed", self.bleed, 0.1)?;
+        let mut page = self.clone();
+        SETTINGS.iter().try_for_each(|setting| match setting.field {
+            Field::Length(of, most) => check_length(&setting.key(), *of(&mut page), most),
+            Field::Colour(of) => check_colour(&setting.key(), of(&mut page)),
+            Field::Flag(_) => Ok(()),
+        })
     }
 }
 
 fn invalid(field: &str, reason: String) -> Error {
     Error::InvalidDocument { location: format!("page.{field}"), reason }
+}
+
+fn check_length(field: &str, value: f64, most: f64) -> Result<()> {
+    if (0.0..=most).contains(&value) {
+        return Ok(());
+    }
+    Err(invalid(field, format!("must be from 0 to {most} of the page's width, not {value}")))
+}
+
+fn check_colour(field: &str, value: &str) -> Result<()> {
+    match rgb(value) {
+        Some(_) => Ok(()),
+        None => Err(invalid(field, format!("must be a colour like #f4efe6, not \"{value}\""))),
+    }
 }
 
 fn rgb(text: &str) -> Option<[u8; 3]> {
@@ -321,6 +414,25 @@ mod tests {
             assert_eq!(location, field);
         }
         assert!(serde_json::from_str::<PageSettings>(r#"{"guter": 0.01}"#).is_err());
+    }
+
+    #[test]
+    fn every_setting_sets_its_own_field() {
+        for setting in SETTINGS {
+            let mut page = PageSettings::default();
+            let value = match setting.field {
+                Field::Length(_, most) => Value::from(most),
+                Field::Colour(_) => "#123456".into(),
+                Field::Flag(_) => true.into(),
+            };
+            page.set(setting.name, &value).unwrap();
+            let json = serde_json::to_value(&page).unwrap();
+            assert_eq!(json[setting.key()], value, "{}", setting.name);
+            let Err(Error::InvalidDocument { location, .. }) = page.set(setting.name, &Value::Null) else {
+                panic!("{}", setting.name)
+            };
+            assert_eq!(location, format!("page.{}", setting.key()));
+        }
     }
 
     #[test]

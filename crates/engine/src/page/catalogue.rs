@@ -17,8 +17,12 @@ use serde_json::{Number, Value};
 pub struct BlockEntry {
     /// Name in style files.
     pub id: &'static str,
-    /// Display name.
+    /// Display name: the technical term.
     pub label: &'static str,
+    /// Plain name, if the label is a technical term.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    #[cfg_attr(test, ts(as = "Option<String>", optional))]
+    pub plain: &'static str,
     /// Description in one line.
     pub help: &'static str,
     /// Channels of the input.
@@ -107,6 +111,7 @@ fn block(block: &Block) -> BlockEntry {
     BlockEntry {
         id: block.id,
         label: block.label,
+        plain: block.plain,
         help: block.help,
         input: block.input,
         output: block.output,

@@ -10,6 +10,7 @@ use crate::point_op::PointOp;
 pub(super) static BLOCK: Block = Block {
     id: "colorize",
     label: "Colorize",
+    plain: "One colour",
     help: "Prints a gray image in one colour, like a duotone.",
     input: Channels::Luma,
     output: Channels::Color,

@@ -10,6 +10,7 @@ use crate::simd::table::Table;
 pub(super) static BLOCK: Block = Block {
     id: "dynamic_range",
     label: "Histogram Minimum Dynamic Range",
+    plain: "Minimum contrast",
     help: "Gives dull photos a minimum contrast. Other photos do not change.",
     input: Channels::Any,
     output: Channels::Any,

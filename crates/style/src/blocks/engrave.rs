@@ -26,6 +26,7 @@ use crate::tangents::{TURNS, Tangents, smooth};
 pub(super) static BLOCK: Block = Block {
     id: "engrave",
     label: "Engraving",
+    plain: "Cut lines",
     help: "Cuts tones into lines that follow shapes and swell in the shade.",
     input: Channels::Any,
     output: Channels::Luma,

@@ -10,6 +10,7 @@ use crate::simd::table::Table;
 pub(super) static BLOCK: Block = Block {
     id: "equalize",
     label: "Linear Histogram Equalization",
+    plain: "Auto levels",
     help: "Stretches the tones, so that hazy photos get real blacks and whites.",
     input: Channels::Any,
     output: Channels::Any,

@@ -12,6 +12,7 @@ use crate::params::{FaceLimit, Unit, number};
 pub(super) static BLOCK: Block = Block {
     id: "etf",
     label: "Edge Tangent Flow",
+    plain: "Brush strokes",
     help: "Smooths along edges and never across them, like strokes of a brush.",
     input: Channels::Any,
     output: Channels::Any,

@@ -27,6 +27,7 @@ use crate::tangents::Tangents;
 pub(super) static BLOCK: Block = Block {
     id: "flow_lines",
     label: "Flow Lines",
+    plain: "Ink lines",
     help: "Draws contours in long, clean strokes that follow shapes; specks of grass and hair fall away.",
     input: Channels::Any,
     output: Channels::Luma,

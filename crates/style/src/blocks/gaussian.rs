@@ -7,6 +7,7 @@ use crate::simd::gaussian::blur;
 pub(super) static BLOCK: Block = Block {
     id: "gaussian",
     label: "Gaussian Smoothing",
+    plain: "Blur",
     help: "Blurs, so that small detail and noise go away.",
     input: Channels::Any,
     output: Channels::Any,

@@ -17,6 +17,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 pub(super) static BLOCK: Block = Block {
     id: "halftone",
     label: "Halftone",
+    plain: "Print dots",
     help: "Prints with dots of ink, in four colours or in black.",
     input: Channels::Any,
     output: Channels::Any,

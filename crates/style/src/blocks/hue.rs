@@ -7,6 +7,7 @@ use crate::point_op::{ColorOp, PointOp};
 pub(super) static BLOCK: Block = Block {
     id: "hue",
     label: "Hue",
+    plain: "Shift colours",
     help: "Turns all colours around the colour wheel, and tints them.",
     input: Channels::Color,
     output: Channels::Color,

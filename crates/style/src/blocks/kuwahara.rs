@@ -24,6 +24,7 @@ use crate::tangents::{TURNS, Tangents, unit};
 pub(super) static BLOCK: Block = Block {
     id: "kuwahara",
     label: "Anisotropic Kuwahara",
+    plain: "Paint",
     help: "Paints over the photo with strokes that follow its shapes, like oil or gouache.",
     input: Channels::Any,
     output: Channels::Any,

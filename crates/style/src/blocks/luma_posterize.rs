@@ -7,6 +7,7 @@ use crate::point_op::PointOp;
 pub(super) static BLOCK: Block = Block {
     id: "luma_posterize",
     label: "Luma Posterization",
+    plain: "Few tones",
     help: "Leaves only a few levels of brightness and keeps the colours.",
     input: Channels::Any,
     output: Channels::Any,

@@ -82,8 +82,10 @@ pub fn find(id: &str) -> Option<&'static Block> {
 pub struct Block {
     /// Name in style files.
     pub id: &'static str,
-    /// Name for people.
+    /// Name for people: the technical term.
     pub label: &'static str,
+    /// Plain name, which the app shows before the label. Empty if the label is plain.
+    pub plain: &'static str,
     /// Summary of its effect, in one line.
     pub help: &'static str,
     /// Its input channels.
@@ -111,6 +113,7 @@ impl Block {
     pub const PLAIN: Self = Self {
         id: "",
         label: "",
+        plain: "",
         help: "",
         input: Channels::Any,
         output: Channels::Any,

@@ -29,6 +29,7 @@ pub const PAINTERS: u8 = 10;
 pub(super) static BLOCK: Block = Block {
     id: "painter",
     label: "Painter",
+    plain: "Learned painting",
     help: "Repaints the photo in the way of a painter, learned from paintings.",
     input: Channels::Color,
     output: Channels::Color,

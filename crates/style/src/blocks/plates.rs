@@ -28,6 +28,7 @@ const PROCESS_INKS: [f32; 3] = [4.0, 5.0, 6.0];
 pub(super) static BLOCK: Block = Block {
     id: "plates",
     label: "Printing Plates",
+    plain: "Inks",
     help: "Prints with two or three inks that do not quite fit, like a risograph or a screen print.",
     input: Channels::Any,
     output: Channels::Color,

@@ -8,6 +8,7 @@ use crate::simd::table::Table;
 pub(super) static BLOCK: Block = Block {
     id: "posterize",
     label: "Posterization",
+    plain: "Few colours",
     help: "Leaves only a few levels of each channel, like a screen print.",
     input: Channels::Any,
     output: Channels::Any,

@@ -7,6 +7,7 @@ use crate::point_op::{ColorOp, PointOp};
 pub(super) static BLOCK: Block = Block {
     id: "saturation",
     label: "Saturation",
+    plain: "Colour strength",
     help: "Makes colours stronger or weaker.",
     input: Channels::Color,
     output: Channels::Color,

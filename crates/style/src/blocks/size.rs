@@ -8,6 +8,7 @@ use crate::raster::resize::{Region, resample};
 pub(super) static BLOCK: Block = Block {
     id: "size",
     label: "Size",
+    plain: "Coarse or fine",
     help: "Changes the working size of all later blocks: small is coarse, large is fine.",
     input: Channels::Any,
     output: Channels::Any,

@@ -8,6 +8,7 @@ use crate::simd::edge::{self, magnitude};
 pub(super) static BLOCK: Block = Block {
     id: "sobel",
     label: "Sobel",
+    plain: "Edges",
     help: "Draws the edges, white on black or, inverted, black on white.",
     input: Channels::Any,
     output: Channels::Luma,

@@ -12,6 +12,7 @@ use crate::simd::table::Table;
 pub(super) static BLOCK: Block = Block {
     id: "soft_threshold",
     label: "Soft Threshold",
+    plain: "Ink and paper",
     help: "White above a brightness, soft black below: turns XDoG into ink.",
     input: Channels::Any,
     output: Channels::Any,

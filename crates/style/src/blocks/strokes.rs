@@ -28,6 +28,7 @@ use crate::tangents::{TURNS, Tangents};
 pub(super) static BLOCK: Block = Block {
     id: "strokes",
     label: "Pencil Strokes",
+    plain: "Pencil",
     help: "Hatches tones with pencil strokes that follow shapes, in gray or in colours.",
     input: Channels::Any,
     output: Channels::Any,

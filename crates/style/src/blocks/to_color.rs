@@ -7,6 +7,7 @@ use crate::point_op::PointOp;
 pub(super) static BLOCK: Block = Block {
     id: "to_color",
     label: "To Color",
+    plain: "Restore colour",
     help: "Brings back the colours that To GrayScale took away.",
     input: Channels::Any,
     output: Channels::Color,

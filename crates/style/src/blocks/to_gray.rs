@@ -6,6 +6,7 @@ use crate::point_op::PointOp;
 pub(super) static BLOCK: Block = Block {
     id: "to_gray",
     label: "To GrayScale",
+    plain: "Grayscale",
     help: "Turns colour into gray; To Color can bring the colours back later.",
     input: Channels::Any,
     output: Channels::Luma,

@@ -26,6 +26,7 @@ use crate::simd::flow::{self, Row, Scale};
 pub(super) static BLOCK: Block = Block {
     id: "tvf",
     label: "Total Variation Flow",
+    plain: "Flat areas",
     help: "Melts texture into flat areas with crisp edges, like cut paper.",
     input: Channels::Any,
     output: Channels::Any,

@@ -16,6 +16,7 @@ use crate::simd::gaussian::blur;
 pub(super) static BLOCK: Block = Block {
     id: "xdog",
     label: "XDoG",
+    plain: "Pen lines",
     help: "Finds lines like a pen would draw them; put Soft Threshold behind it.",
     input: Channels::Any,
     output: Channels::Any,

@@ -23,6 +23,7 @@ use grid::Grid;
 pub(super) static BLOCK: Block = Block {
     id: "detail",
     label: "Image Detail Control",
+    plain: "Fine detail",
     help: "Removes or enhances texture without changing edges.",
     input: Channels::Any,
     output: Channels::Any,

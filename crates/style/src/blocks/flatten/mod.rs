@@ -28,6 +28,7 @@ use palette::{Costs, NAMES, OWN};
 pub(super) static BLOCK: Block = Block {
     id: "flatten",
     label: "Flat Areas",
+    plain: "Flat colours",
     help: "Turns the photo into areas of few colours with clean borders, like cut paper.",
     input: Channels::Any,
     output: Channels::Any,

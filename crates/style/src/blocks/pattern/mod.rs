@@ -19,6 +19,7 @@ const CELL: f32 = 5.0;
 pub(super) static BLOCK: Block = Block {
     id: "pattern",
     label: "Pattern Filling",
+    plain: "Hatching",
     help: "Draws tones with hatching, dots or cuts, like an engraver.",
     input: Channels::Luma,
     output: Channels::Luma,
