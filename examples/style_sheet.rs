@@ -22,12 +22,14 @@ mod picture;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 use file::save;
 use inkpanel_engine::raster::decode::{Limits, decode};
 use inkpanel_engine::raster::resize::{Region, resample_image};
 use inkpanel_engine::raster::{Image, Matte};
 use inkpanel_engine::style::catalogue::{by_family, find};
+use inkpanel_engine::style::painters::Painters;
 use inkpanel_engine::style::part::subject_in;
 use inkpanel_engine::style::{Context, Style, stylize};
 use picture::paste;
@@ -67,6 +69,7 @@ fn main() -> Outcome<()> {
         options.photos.iter().map(|name| photo(name, options.panel)).collect::<Outcome<_>>()?;
     let subjects: Vec<Option<Matte>> =
         options.photos.iter().map(|name| mask(&options, name)).collect::<Outcome<_>>()?;
+    let painters = Arc::new(Painters::new(&fs::read("www/models/painters.onnx")?)?);
     let (width, height) = (options.cell, options.cell * 3 / 4);
     let across = options.across.min(photos.len() as u32).max(1);
     let strip = (photos.len() as u32).div_ceil(across) * height + LINE;
@@ -78,6 +81,7 @@ fn main() -> Outcome<()> {
         font::write(&mut sheet, &format!("{} - {}", style.tags.join(" "), style.id), 4, top + 3);
         for (i, photo) in photos.iter().enumerate() {
             let mut context = Context::for_image(photo);
+            context.show_painters(Some(painters.clone()));
             let size = (photo.width(), photo.height());
             context.show_subject(subjects[i].as_ref().and_then(|matte| {
                 subject_in(matte, Region::whole(size.0, size.1), size, (photo, context.scale()))

@@ -158,6 +158,39 @@ fn faces_have_finer_strokes_and_the_colours_of_the_picture() {
     assert!(far < 3.0, "{far:.2}");
 }
 
+/// A face that keeps its colours gets less paint than the picture, at any size.
+#[test]
+fn strong_paint_spares_faces() {
+    let (painters, photo) = (painters(), sized(&photo("www/public/samples/19-astronaut.jpg"), 512, 512));
+    // The second face is too large for a finer brush.
+    for height in [125.0, 180.0] {
+        let draw = |params: &str| {
+            let mut context = Context::for_image(&photo);
+            context.show_painters(Some(painters.clone()));
+            context.show_faces(vec![FaceBox {
+                x: 220.0 - 0.4 * height,
+                y: 60.0,
+                width: 0.8 * height,
+                height,
+            }]);
+            stylize(&photo, &style(params), &mut context).unwrap()
+        };
+        let apart = |colours: u8, x: usize, y: usize| {
+            let [strong, weak] = [100, 38].map(|strength| {
+                let drawn = draw(&format!(r#","strength":{strength},"colours":{colours}"#));
+                let plane = |plane: &Plane| Plane::from_fn(50, 50, |i, k| plane.at(x + i, y + k));
+                Image::from_rgb([0, 1, 2].map(|i| plane(&drawn.planes()[i]))).unwrap()
+            });
+            difference(&strong, &weak)
+        };
+        let (face, suit) = (apart(60, 195, 110), apart(60, 195, 350));
+        println!("{height}: face {face:.2}, suit {suit:.2}");
+        assert!(face < 1.0 && suit > 3.0, "{height}: {face:.2} {suit:.2}");
+        // A style with the painter's colours paints faces as well.
+        assert!(apart(0, 195, 110) > 3.0);
+    }
+}
+
 /// Pearson's coefficient of two planes.
 fn correlation(a: &[u8], b: &[u8]) -> f64 {
     let mean = |values: &[u8]| values.iter().map(|&v| f64::from(v)).sum::<f64>() / values.len() as f64;

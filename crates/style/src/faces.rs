@@ -201,14 +201,19 @@ impl<'a> Care<'a> {
         let tones = context.recorded_tones();
         let mut drawn = drawn?;
         let finer: Vec<Step> = areas.iter().map(|step| finer(step, context.scale())).collect();
-        let small = |face: &&&FaceBox| (face.height as f32) < LARGE * context.scale();
-        let faces: Vec<&FaceBox> = self.faces.iter().filter(small).take(MOST_FACES).copied().collect();
+        let adapted: Vec<Step> = areas.iter().map(adapted).collect();
+        let large = LARGE * context.scale();
+        let is_small = |face: &FaceBox| (face.height as f32) < large;
+        let all = areas.iter().any(|step| !step.bypass && step.block.adapts_to_large_faces);
+        let again = |face: &&&FaceBox| all || is_small(face);
+        let faces: Vec<&FaceBox> = self.faces.iter().filter(again).take(MOST_FACES).copied().collect();
         let subject = context.subject().cloned();
         for face in faces {
             let Some(room) = Room::around(face, photo) else { continue };
             context.show_subject(subject.as_ref().map(|plane| room.cut_plane(plane)));
             context.replay_tones(tones.clone());
-            let again = chain::run(&finer, &room.cut(photo), context);
+            let steps = if is_small(face) { &finer } else { &adapted };
+            let again = chain::run(steps, &room.cut(photo), context);
             context.recorded_tones();
             context.show_subject(subject.clone());
             room.lay(&mut drawn, &again?, face);
@@ -635,6 +640,15 @@ fn finer(step: &Step, scale: f32) -> Step {
         }
     }
     (step.block.adapt_to_face)(&mut step.values);
+    step
+}
+
+/// A block for a large face, which needs no finer lengths. Only blocks for large faces change.
+fn adapted(step: &Step) -> Step {
+    let mut step = step.clone();
+    if step.block.adapts_to_large_faces {
+        (step.block.adapt_to_face)(&mut step.values);
+    }
     step
 }
 

@@ -106,6 +106,8 @@ pub struct Block {
     pub recolors: fn(&[f32]) -> bool,
     /// Adapts the values for a face that is drawn again.
     pub adapt_to_face: fn(&mut [f32]),
+    /// Whether large faces are drawn again as well, with the adapted values.
+    pub adapts_to_large_faces: bool,
 }
 
 impl Block {
@@ -124,6 +126,7 @@ impl Block {
         is_coloring: false,
         recolors: |_| false,
         adapt_to_face: |_| {},
+        adapts_to_large_faces: false,
     };
 
     /// Output channels for an input of `channels`. A block for a part of the picture leaves the other part

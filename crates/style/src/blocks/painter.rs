@@ -63,10 +63,16 @@ pub(super) static BLOCK: Block = Block {
         param("model", "Model", "The file that painters come from.", Kind::Model),
     ],
     kernel: Kernel::Image(run),
-    recolors: |values| values[3] < 50.0,
+    recolors: |values| values[3] < RECOLOURED,
+    adapt_to_face: spare,
+    adapts_to_large_faces: true,
     ..Block::PLAIN
 };
 
+/// Photo colours in percent below which the painting has the painter's colours, faces included.
+const RECOLOURED: f32 = 50.0;
+/// Most paint in a face that keeps its colours, in percent. More paint draws wrinkles.
+const FACE_STRENGTH: f32 = 38.0;
 /// Largest enlargement of a small picture for the network.
 const ENLARGED: f32 = 2.0;
 /// Least side of a picture for the network, and the common divisor of its sides.
@@ -108,6 +114,13 @@ fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Im
     }
     mix(&mut image, &painted, strength);
     Ok(image)
+}
+
+/// Less paint for a face that keeps its colours.
+fn spare(values: &mut [f32]) {
+    if values[3] >= RECOLOURED {
+        values[2] = values[2].min(FACE_STRENGTH);
+    }
 }
 
 /// The picture at the size for the network: a pixel for each `brush` x `brush` pixels.
