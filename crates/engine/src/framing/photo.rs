@@ -200,7 +200,7 @@ pub struct Expression {
     pub right_eye: f64,
     /// The left eye.
     pub left_eye: f64,
-    /// Distance of the lips, in widths of the mouth: 0 if closed.
+    /// Distance of the lips, in widths of the mouth: 0 if closed. In a video frame with a subtitle, the change of the distance.
     pub mouth: f64,
     /// Height of the corners of the mouth above its middle, in widths of the mouth. It is negative in a sad face.
     pub smile: f64,
