@@ -13,7 +13,7 @@ use super::prepared::Kind;
 use super::slots::Slot;
 use super::spread;
 use super::utility::placed;
-use crate::framing::PhotoMeta;
+use crate::framing::{FACE, PhotoMeta, Subject};
 
 /// Maximum number of photos of a page.
 pub const MOST_OF_A_PAGE: usize = 9;
@@ -34,6 +34,10 @@ const FEW: usize = 3;
 /// Number of photos that the first page has at most, and their loss as the cover, because it would be next to it.
 const OPENING: usize = 6;
 const NEXT: f64 = 0.2;
+/// Gain of a photo with a large face that looks at the camera, height of such a face in photo heights, and its minimum score.
+const CLEAR: f64 = 0.3;
+const LARGE: f64 = 0.2;
+const SURE: f64 = 0.7;
 /// Minimum fit of a photo that fills a page.
 const FULL_FIT: f64 = 0.45;
 /// Loss of a photo that fills a page of whole photos, if the logarithms of their aspect ratios differ more.
@@ -198,13 +202,16 @@ fn chapters(photos: &[PhotoMeta]) -> Vec<usize> {
 /// Returns the strength of a photo for a full page.
 fn strength(album: &Photos, photo: usize) -> f64 {
     let star = f64::from(u8::from(album.all[photo].starred));
+    let sure = |face: &&Subject| face.label == FACE && face.score >= SURE;
+    let clear = |face: &Subject| (face.height / LARGE).min(1.0) * face.clearness();
+    let face = album.all[photo].subjects.iter().filter(sure).map(clear).fold(0.0, f64::max);
     let kind = match album.kind(photo) {
         Kind::Alive => 0.25,
         Kind::Scene => 0.0,
         Kind::Bare => -0.5,
         Kind::Document => -3.0,
     };
-    album.quality[photo] + kind + 1.5 * star
+    album.quality[photo] + kind + CLEAR * face + 1.5 * star
 }
 
 /// The photo with the highest rate.
@@ -481,7 +488,6 @@ fn arranged(aspects: &[f64]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::framing::{FACE, Subject};
     use crate::layout::{self, PageSettings};
     use crate::plan::composer::gallery;
     use crate::plan::slots::slots;
@@ -516,6 +522,26 @@ mod tests {
             uncropped: None,
         };
         outline(&gallery(photos, &shelf), &wanted)
+    }
+
+    #[test]
+    fn the_cover_shows_a_face_that_looks_at_the_camera() {
+        let mut photos = trip();
+        // The points of both faces differ in the tip of the nose.
+        for (at, nose) in [(19, 0.6), (25, 0.5)] {
+            let points = [[0.45, 0.3], [0.55, 0.3], [nose, 0.35], [0.5, 0.42], [0.4, 0.32], [0.6, 0.32]];
+            photos[at].find([Subject {
+                x: 0.4,
+                y: 0.2,
+                width: 0.2,
+                height: 0.3,
+                label: FACE.into(),
+                score: 0.95,
+                points: Some(points),
+                expression: None,
+            }]);
+        }
+        assert_eq!(made(&photos, None, false).leaves[0].photos, [25]);
     }
 
     #[test]

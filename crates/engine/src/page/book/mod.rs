@@ -29,13 +29,13 @@ use std::collections::HashMap;
 const WHOLE: &str = "splash-bleed";
 const SINGLE: &str = "splash";
 const CAST: &str = "circle-row-3";
+/// Number of pages behind the cover whose largest panel does not repeat its photo.
+const BESIDE_COVER: usize = 2;
 /// Number of recent layouts that a page does not repeat.
 const RECENT: usize = 3;
 /// Minimum height of a face for the end page, in photo heights, and its minimum score.
 const CAST_FACE: f64 = 0.09;
 const CAST_SCORE: f64 = 0.7;
-/// Openness of eyes that are open for certain.
-const OPEN: f64 = 0.3;
 /// Minimum number of pages of a book.
 pub const MIN_PAGES: usize = 3;
 
@@ -196,7 +196,7 @@ impl Book {
     fn page(&mut self, at: usize) -> Result<Planned> {
         let leaf = &self.outline.leaves[at];
         let chapter = if self.wish.styles == Styles::Chapters { leaf.chapter } else { 0 };
-        let photos: Vec<PhotoMeta> =
+        let mut photos: Vec<PhotoMeta> =
             leaf.photos.iter().map(|&photo| self.request.photos[photo].clone()).collect();
         let cast = if leaf.role == Role::End { self.cast(leaf.photos[0]) } else { Vec::new() };
         let layout = match leaf.role {
@@ -212,8 +212,20 @@ impl Book {
         // Photos may be anywhere on a page that tells one moment only.
         let several = self.captions[at].iter().any(|(photo, ..)| *photo != leaf.photos[0]);
         let given = self.request.style.clone().filter(|_| chapter == 0);
-        // The cover counts as the page before, so that another photo leads if there is one of nearly equal strength.
+        // The cover counts as the page before, so that another photo leads if there is one of nearly equal strength. Next to the
+        // cover, another photo always leads.
         let cover = self.request.photos[self.outline.leaves[0].photos[0]].id.clone();
+        let beside = at <= BESIDE_COVER && !photos.iter().any(|photo| photo.starred);
+        if leaf.role == Role::Page && beside && photos.iter().any(|photo| photo.id == cover) {
+            let shelf = self.shelf.some(&leaf.photos);
+            let album = gallery(&photos, &shelf);
+            let others = (0..photos.len()).filter(|&i| photos[i].id != cover);
+            let lead = others.max_by(|&a, &b| album.lead(a).total_cmp(&album.lead(b)));
+            drop(album);
+            if let Some(lead) = lead {
+                photos[lead].starred = true;
+            }
+        }
         let request = Request {
             seed: self.request.seed.wrapping_add(at as u32),
             panels: Some(photos.len()),
@@ -285,11 +297,7 @@ impl Book {
             let clear = |face: &&Subject| {
                 face.label == FACE && face.score >= CAST_SCORE && face.height >= CAST_FACE && within(face)
             };
-            let rate = |face: &Subject| {
-                let eyes =
-                    face.expression.map_or(1.0, |expression| (expression.openness() / OPEN).clamp(0.2, 1.0));
-                face.height * face.score * eyes * (1.0 - 0.5 * face.gaze().abs())
-            };
+            let rate = |face: &Subject| face.height * face.score * face.clearness();
             photo.subjects.iter().filter(clear).map(rate).max_by(f64::total_cmp)
         };
         // A photo that has its own page needs no other place.
@@ -457,6 +465,21 @@ mod tests {
             led += pages[1..].iter().filter(leads).count();
         }
         assert!(led <= 1, "{led} of 6");
+    }
+
+    #[test]
+    fn another_photo_leads_the_page_next_to_the_cover() {
+        for seed in 0..6 {
+            let mut request = Request { seed, ..request(12) };
+            let face = request.photos[4].subjects.clone();
+            for (i, photo) in request.photos.iter_mut().enumerate() {
+                photo.subjects = if i == 2 { face.clone() } else { Vec::new() };
+            }
+            let pages = made(request, Wish::default());
+            let shown = |page: &BookPage| seen_on(&page.planned.document);
+            assert_eq!(shown(&pages[0]), ["p02"]);
+            assert!(shown(&pages[1])[1..].contains(&"p02".to_owned()), "{:?}", shown(&pages[1]));
+        }
     }
 
     #[test]

@@ -112,7 +112,9 @@ impl<'a> Told<'a> {
                     let nth = phrases.nth_day(moment.day() - first).filter(|_| counted);
                     let own = date(moment.day()).0;
                     let with_year = year.replace(own) != Some(own);
-                    parts.push(nth.map_or_else(|| phrases.day(moment.day(), with_year), str::to_owned));
+                    // No line ends between a day and its month.
+                    let dated = || phrases.day(moment.day(), with_year).replacen(' ', "\u{a0}", 1);
+                    parts.push(nth.map_or_else(dated, str::to_owned));
                 }
                 if !here.is_empty() && here != place {
                     parts.push(here.to_owned());
@@ -325,7 +327,10 @@ mod tests {
             told(&["06:09 09:00", "06:09 12:30", "06:09 20:10"], &[], &[0, 0, 0], "Trip"),
             ["1 At noon.", "2 In the evening.",]
         );
-        assert_eq!(told(&["03:09 09:00", "06:10 12:30"], &[], &[0, 1], ""), ["0 9 March.", "1 10 June."]);
+        assert_eq!(
+            told(&["03:09 09:00", "06:10 12:30"], &[], &[0, 1], ""),
+            ["0 9\u{a0}March.", "1 10\u{a0}June."]
+        );
         assert!(told(&["", ""], &[], &[0, 0], "").is_empty());
     }
 
@@ -341,7 +346,7 @@ mod tests {
         let places = HashMap::new();
         let told = Told::new(&photos, &places).captions(&outline, "", &Phrases::of("en").unwrap());
         let texts: Vec<&str> = told[0].iter().map(|(_, text, _)| text.as_str()).collect();
-        assert_eq!(texts, ["2 November 2023.", "11 April 2024.", "1 May."]);
+        assert_eq!(texts, ["2\u{a0}November 2023.", "11\u{a0}April 2024.", "1\u{a0}May."]);
     }
 
     #[test]
