@@ -59,6 +59,20 @@ fn a_folder_becomes_a_book_with_every_photo() {
 }
 
 #[test]
+fn names_of_several_folders_are_places() {
+    let folder = album();
+    let output = crate::inkpanel()
+        .args(["book", "Iberia/Lisbon", "Iberia/Sintra", "--no-detect", "--keep-all", "--json"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let plan: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(plan["title"], "Lisbon and Sintra");
+    let texts = texts(&plan);
+    assert!(["Lisbon.", "Sintra."].iter().all(|text| texts.contains(&(*text).into())), "{texts:?}");
+}
+
+#[test]
 fn title_language_style_and_pages_are_options() {
     let folder = album();
     let plan = plan(

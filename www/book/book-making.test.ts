@@ -65,16 +65,19 @@ test('the dates of a book have the format of the user', async () => {
   });
 });
 
-test('the dates of a book of several years have their year', async () => {
-  const times = [Date.UTC(2023, 10, 2, 9), Date.UTC(2024, 3, 11, 15)];
+test('the first day of each year of a book has its year', async () => {
+  const times = [Date.UTC(2023, 10, 2, 9), Date.UTC(2024, 3, 11, 15), Date.UTC(2024, 4, 1, 15)];
   const { bookMaking, pages } = await making(14, { at: times });
   const made = vi.spyOn(pages, 'book');
   await bookMaking.make('one');
+  const [november, april, may] = [Date.UTC(2023, 10, 2), Date.UTC(2024, 3, 11), Date.UTC(2024, 4, 1)];
   expect(made.mock.calls[0][0].dates).toEqual({
-    span: strings.dates(Date.UTC(2023, 10, 2), Date.UTC(2024, 3, 11)),
-    days: Object.fromEntries(
-      times.map((time) => [new Date(time).toISOString().slice(0, 10), strings.dates(time, time)]),
-    ),
+    span: strings.dates(november, may),
+    days: {
+      '2023-11-02': strings.dates(november, november),
+      '2024-04-11': strings.dates(april, april),
+      '2024-05-01': strings.shortDayOf(may),
+    },
   });
 });
 

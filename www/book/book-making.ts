@@ -110,15 +110,20 @@ export function createBookMaking({
 }
 
 /**
- * Returns the dates of photos in the format of the user, with their years if the photos have several.
+ * Returns the dates of photos in the format of the user. If the photos have several years, the first day of each has it.
  * @param times local times in milliseconds, as if they were UTC
  */
 function datesOf(times: readonly (number | null)[]): BookDates {
-  const known = times.filter((time) => time !== null);
+  const starts = times.filter((time) => time !== null).map((time) => Math.floor(time / DAY) * DAY);
+  const known = [...new Set(starts)].toSorted((a, b) => a - b);
   if (known.length === 0) return {};
-  const ends = [Math.min(...known), Math.max(...known)].map((time) => Math.floor(time / DAY) * DAY);
-  const isOfOneYear = new Date(ends[0]).getUTCFullYear() === new Date(ends[1]).getUTCFullYear();
-  const written = (time: number) => (isOfOneYear ? strings.shortDayOf(time) : strings.dates(time, time));
-  const days = known.map((time) => [new Date(time).toISOString().slice(0, 10), written(time)] as const);
-  return { span: strings.dates(ends[0], ends[1]), days: Object.fromEntries(days) };
+  const [first, last] = [known[0], known[known.length - 1]];
+  const yearOf = (time: number) => new Date(time).getUTCFullYear();
+  const isNew = (time: number, i: number) =>
+    yearOf(first) !== yearOf(last) && yearOf(time) !== yearOf(known[i - 1] ?? NaN);
+  const days = known.map((time, i) => [
+    new Date(time).toISOString().slice(0, 10),
+    isNew(time, i) ? strings.dates(time, time) : strings.shortDayOf(time),
+  ]);
+  return { span: strings.dates(first, last), days: Object.fromEntries(days) };
 }

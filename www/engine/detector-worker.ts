@@ -20,7 +20,7 @@ const objects = net(
 /** Optional, and not loaded before the first large face. */
 const reader = LANDMARKS === undefined ? undefined : net(LANDMARKS, ({ FaceReader }, onnx) => new FaceReader(onnx));
 
-export type Look = 'faces' | 'closer' | 'objects';
+export type Look = 'faces' | 'closer' | 'objects' | 'lips';
 
 const OPERATIONS: Work<Looking> = {
   load: async (args) => ({
@@ -36,6 +36,9 @@ const OPERATIONS: Work<Looking> = {
   faces: async (args, slow) => ({ ok: await looked('faces', args, slow) }),
   closer: async (args, slow) => ({ ok: await looked('closer', args, slow) }),
   objects: async (args, slow) => ({ ok: await looked('objects', args, slow) }),
+  lips: async ({ photo, boxes = [] }, slow) => ({
+    ok: await withExpressions(boxes, photo, new Uint8Array(await photo.planes.arrayBuffer()), slow),
+  }),
 };
 
 serveJobs<Looking>((op, args, slow) => OPERATIONS[op](args, slow));
@@ -44,7 +47,7 @@ function named({ net }: Looking['load']['args']) {
   return net === 'faces' ? faces : objects;
 }
 
-async function looked<Op extends Look>(
+async function looked<Op extends Exclude<Look, 'lips'>>(
   look: Op,
   { photo, boxes }: Looking[Op]['args'],
   slow: Slow,
@@ -80,7 +83,7 @@ async function withExpressions(
 
 /** @param boxes of the first look */
 async function runner(
-  look: Look,
+  look: Exclude<Look, 'lips'>,
   boxes?: readonly Detection[],
 ): Promise<(width: number, height: number, planes: Uint8Array) => string> {
   if (look === 'objects') {

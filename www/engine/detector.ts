@@ -10,7 +10,7 @@ import type { Look } from './detector-worker.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
 import type { Pool } from './pool.ts';
-import type { Looking } from './protocol.ts';
+import type { Looking, PhotoHandle } from './protocol.ts';
 import type { Scheduler } from './scheduler.ts';
 import type { Detection, FirstLook } from './types.ts';
 
@@ -48,6 +48,7 @@ export function createDetector(
     findFaces,
     findMoreFaces,
     findObjects,
+    readLips,
     dispose: ticket.free,
   };
 
@@ -111,6 +112,14 @@ export function createDetector(
     return run('objects', 'objects', id, {}, call);
   }
 
+  /**
+   * Eyes and mouths of known faces in pixels that are not a photo.
+   * @param boxes the faces, without their expressions
+   */
+  function readLips(photo: PhotoHandle, boxes: readonly Detection[], call?: Call): Promise<readonly Detection[]> {
+    return look('faces', 'lips', 'video', { photo, boxes }, call);
+  }
+
   async function run<Op extends Look>(
     net: Net,
     op: Op,
@@ -119,8 +128,17 @@ export function createDetector(
     call?: Call,
   ): Promise<Looking[Op]['ok']> {
     const { name, work } = photos.get(id);
+    return look(net, op, name, { photo: work, ...more }, call);
+  }
+
+  function look<Op extends Look>(
+    net: Net,
+    op: Op,
+    name: string,
+    args: Looking[Op]['args'],
+    call?: Call,
+  ): Promise<Looking[Op]['ok']> {
     early = false;
-    const args = { photo: work, ...more };
     return ticket.use(async () => {
       spare((running += 1));
       try {

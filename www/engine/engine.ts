@@ -12,6 +12,7 @@ import { createDetector } from './detector.ts';
 import { createExports } from './export.ts';
 import { createFiles } from './files.ts';
 import { createImitating } from './imitate.ts';
+import { createLips } from './lips.ts';
 import { createLiving } from './living.ts';
 import { createMasking } from './masking.ts';
 import { createMeasures } from './measures.ts';
@@ -139,6 +140,7 @@ export function createEngine({
     lettering: words.lettering,
     ...renders,
     ...createLiving({ run }),
+    ...createLips({ run, readLips: detector.readLips }),
     ...createImitating({ run, photos }),
     judges: aesthetics.judges,
     judgeStyle: aesthetics.judgeStyle,

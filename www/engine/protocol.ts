@@ -120,6 +120,8 @@ export type Looking = {
   faces: Looked<FirstLook>;
   closer: Looked<readonly Detection[]>;
   objects: Looked<readonly Detection[]>;
+  /** Eyes and mouths of the faces in `boxes`. */
+  lips: Looked<readonly Detection[]>;
 };
 
 /**

@@ -1399,7 +1399,7 @@ export type Expression = {
   rightEye: number,
   /** The left eye. */
   leftEye: number,
-  /** Distance of the lips, in widths of the mouth: 0 if closed. */
+  /** Distance of the lips, in widths of the mouth: 0 if closed. In a video frame with a subtitle, the change of the distance. */
   mouth: number,
   /** Height of the corners of the mouth above its middle, in widths of the mouth. It is negative in a sad face. */
   smile: number,

@@ -4,6 +4,7 @@ import { computed, effect, untracked } from '@preact/signals';
 import { createFilmSounds } from './film-sounds.ts';
 import { createLettering } from './lettering.ts';
 import { createNarrating } from './narrating.ts';
+import { createSpeakers } from './speakers.ts';
 import { createSubtitling } from './subtitling.ts';
 import { createTextActions, createWordActions } from './word-actions.ts';
 import type { FilmSounds } from './film-sounds.ts';
@@ -41,7 +42,10 @@ export const letteringFeature: Feature<Parts> = {
       filmSounds: createFilmSounds({ ...app, lettering }),
     };
   },
-  start({ store, ui, lettering, narrating, selection, placeNames }) {
+  start(app) {
+    const { store, ui, lettering, narrating, selection, placeNames, subjects } = app;
+    const ready = () => store.reading.value === null && ui.painted.value === store.page.value && subjects.settled.value;
+    createSpeakers({ ...app, settled: lettering.settled, ready });
     effect(() => {
       if (placeNames.names.value.size > 0 && !store.sketch.value) untracked(narrating.renew);
     });

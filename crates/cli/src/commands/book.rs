@@ -64,7 +64,7 @@ pub(crate) struct Book {
     /// photos: .inkpanel.
     #[arg(short, long, required_unless_present_any = ["json", "save_document"])]
     output: Option<PathBuf>,
-    /// Photos or folders. Names of folders within one folder are places.
+    /// Photos or folders. Names of several folders, or of folders within one folder, are places.
     pub(crate) files: Vec<PathBuf>,
 }
 
@@ -162,11 +162,11 @@ fn title(given: &[PathBuf]) -> String {
     folder.as_deref().map(|folder| naming::said_by(name(folder)).to_owned()).unwrap_or_default()
 }
 
-/// Places by the names of folders within the given folders. Other photos have the places of their GPS data.
+/// Places by the names of folders, without the only given one. Other photos have the places of their GPS data.
 fn places(given: &[PathBuf], photos: &Photos, models: Option<&Path>) -> HashMap<String, String> {
     let inside = |path: &Path| {
         let parent = path.parent()?;
-        (!given.iter().any(|folder| folder == parent)).then(|| name(parent).to_owned())
+        (given != [parent]).then(|| name(parent).to_owned())
     };
     let folders: Vec<(&str, String)> = photos
         .iter()

@@ -200,7 +200,7 @@ pub struct Expression {
     pub right_eye: f64,
     /// The left eye.
     pub left_eye: f64,
-    /// Distance of the lips, in widths of the mouth: 0 if closed.
+    /// Distance of the lips, in widths of the mouth: 0 if closed. In a video frame with a subtitle, the change of the distance.
     pub mouth: f64,
     /// Height of the corners of the mouth above its middle, in widths of the mouth. It is negative in a sad face.
     pub smile: f64,
@@ -208,6 +208,9 @@ pub struct Expression {
 
 /// Maximum openness of eyes that are shut for certain. Shut eyes have up to 0.24, and narrow open ones have 0.2.
 const SHUT: f64 = 0.2;
+
+/// Openness of eyes that are open for certain.
+const OPEN: f64 = 0.3;
 
 /// Maximum absolute value of a ratio.
 const MAX_RATIO: f64 = 100.0;
@@ -307,6 +310,13 @@ impl Subject {
     #[must_use]
     pub fn is_shut(&self) -> bool {
         self.expression.is_some_and(|expression| expression.openness() < SHUT)
+    }
+
+    /// How clearly a face is seen, 0 to 1: less with shut eyes, and if it looks to the side.
+    #[must_use]
+    pub fn clearness(&self) -> f64 {
+        let eyes = self.expression.map_or(1.0, |expression| (expression.openness() / OPEN).clamp(0.2, 1.0));
+        eyes * (1.0 - 0.8 * self.gaze().abs())
     }
 
     /// The subjects that styles protect: faces, or animals in photos without faces.

@@ -13,7 +13,7 @@ use super::prepared::Kind;
 use super::slots::Slot;
 use super::spread;
 use super::utility::placed;
-use crate::framing::PhotoMeta;
+use crate::framing::{FACE, PhotoMeta, Subject};
 
 /// Maximum number of photos of a page.
 pub const MOST_OF_A_PAGE: usize = 9;
@@ -31,10 +31,18 @@ const MIN_USUAL: usize = 5;
 const TIGHT: usize = 5;
 /// Minimum number of photos between a full page and the border of its chapter, or 0 photos.
 const FEW: usize = 3;
-/// Loss of the first photo as the cover, because the next page begins with it.
-const OPENING: f64 = 0.2;
+/// Number of photos that the first page has at most, and their loss as the cover, because it would be next to it.
+const OPENING: usize = 6;
+const NEXT: f64 = 0.2;
+/// Gain of a photo with a large face that looks at the camera, height of such a face in photo heights, and its minimum score.
+const CLEAR: f64 = 0.3;
+const LARGE: f64 = 0.2;
+const SURE: f64 = 0.7;
 /// Minimum fit of a photo that fills a page.
 const FULL_FIT: f64 = 0.45;
+/// Loss of a photo that fills a page of whole photos, if the logarithms of their aspect ratios differ more.
+const UNLIKE: f64 = 0.25;
+const CUT: f64 = 0.6;
 /// Cost of a page, so that there are not more than needed.
 const PAGE: f64 = 0.8;
 /// Cost of a page by its number of photos, from 1, and of a page behind a full page.
@@ -46,6 +54,9 @@ const SAME: f64 = 0.12;
 const DAY: f64 = 1.3;
 const PLACE: f64 = 0.6;
 const SCENE: f64 = 0.6;
+/// Cost of the empty part of a page, if photos are whole, and number of photos that fill any page.
+const EMPTY: f64 = 3.0;
+const FILLS: usize = 5;
 /// Cost of two starred photos on one page: only one of them leads it.
 const STARS: f64 = 0.9;
 /// Cost that no page may have.
@@ -112,6 +123,8 @@ pub struct Wanted<'a> {
     pub whole: &'a Slot,
     /// Whether no page has photos of two chapters.
     pub apart: bool,
+    /// Width over height of the page, if it shows photos whole.
+    pub uncropped: Option<f64>,
 }
 
 /// Plans the pages of a book. The photos of `album` must be in their order in time.
@@ -122,15 +135,21 @@ pub struct Wanted<'a> {
 pub fn outline(album: &Photos, wanted: &Wanted) -> Outline {
     let photos = album.all;
     let chapters = chapters(photos);
-    let fits: Vec<f64> =
-        (0..photos.len()).map(|i| placed(wanted.whole, &photos[i], album.prepared(i)).1.fit()).collect();
+    let fits: Vec<f64> = (0..photos.len())
+        .map(|i| {
+            let fit = placed(wanted.whole, &photos[i], album.prepared(i)).1.fit();
+            let unlike = wanted.uncropped.is_some_and(|page| (photos[i].aspect() / page).ln().abs() > UNLIKE);
+            if unlike { fit - CUT } else { fit }
+        })
+        .collect();
     let rate = |i: usize| strength(album, i) + 0.5 * fits[i].clamp(-1.0, 1.0);
     // Pages of a book of short days get the photos of several days.
     let usual = if wanted.apart { wanted.most } else { photos.len().div_ceil(USUAL).max(MIN_USUAL) };
     let most = wanted.pages.unwrap_or(usual).clamp(1, wanted.most);
     let inner = kept(album, &chapters, most.saturating_sub(2).max(1) * MOST_OF_A_PAGE);
-    // The first photo follows the cover, so another photo of nearly equal strength is the cover.
-    let as_cover = |i: usize| rate(i) - if inner.first() == Some(&i) { OPENING } else { 0.0 };
+    // The first photos follow the cover, so another photo of nearly equal strength is the cover.
+    let as_cover =
+        |i: usize| rate(i) - if inner.iter().take(OPENING).any(|&next| next == i) { NEXT } else { 0.0 };
     let Some(cover) = best(&inner, as_cover) else { return Outline { leaves: Vec::new(), chapters } };
     let mut leaves = vec![Leaf { role: Role::Cover, chapter: chapters[cover], photos: vec![cover] }];
     let end = (most > 2).then(|| closing(&inner, &chapters, (album, cover), rate)).flatten();
@@ -183,13 +202,16 @@ fn chapters(photos: &[PhotoMeta]) -> Vec<usize> {
 /// Returns the strength of a photo for a full page.
 fn strength(album: &Photos, photo: usize) -> f64 {
     let star = f64::from(u8::from(album.all[photo].starred));
+    let sure = |face: &&Subject| face.label == FACE && face.score >= SURE;
+    let clear = |face: &Subject| (face.height / LARGE).min(1.0) * face.clearness();
+    let face = album.all[photo].subjects.iter().filter(sure).map(clear).fold(0.0, f64::max);
     let kind = match album.kind(photo) {
         Kind::Alive => 0.25,
         Kind::Scene => 0.0,
         Kind::Bare => -0.5,
         Kind::Document => -3.0,
     };
-    album.quality[photo] + kind + 1.5 * star
+    album.quality[photo] + kind + CLEAR * face + 1.5 * star
 }
 
 /// The photo with the highest rate.
@@ -292,6 +314,8 @@ struct Spine<'a> {
     joints: Vec<f64>,
     starred: Vec<bool>,
     sizes: Vec<usize>,
+    /// Width over height of the page, and of each photo, if they are shown whole.
+    uncropped: Option<(f64, Vec<f64>)>,
 }
 
 /// The last page of a row: 0 for a full page, otherwise its number of photos.
@@ -305,8 +329,10 @@ impl<'a> Spine<'a> {
             let (a, b) = (inner[at - 1], inner[at]);
             let (from, to) = (wanted.places[a], wanted.places[b]);
             let place = !from.is_empty() && !to.is_empty() && from != to;
-            match chapters[a] != chapters[b] {
-                true if wanted.apart => NEVER,
+            // Photos without a date come after the dated photos.
+            let dated = |i: usize| album.all[i].taken.is_some();
+            match chapters[a] != chapters[b] || dated(a) != dated(b) {
+                _ if wanted.apart && chapters[a] != chapters[b] => NEVER,
                 day => {
                     let cost = |on: bool, cost: f64| if on { cost } else { 0.0 };
                     cost(day, DAY) + cost(place, PLACE) + SCENE * scenes[at - 1]
@@ -317,7 +343,9 @@ impl<'a> Spine<'a> {
             (1..=MOST_OF_A_PAGE).filter(|size| *size == 1 || wanted.counts.contains(size)).collect();
         sizes.dedup();
         let starred = inner.iter().map(|&i| album.all[i].starred).collect();
-        Self { full, joints: joints.collect(), starred, sizes }
+        let aspects = || inner.iter().map(|&i| album.all[i].aspect()).collect();
+        let uncropped = wanted.uncropped.map(|page| (page, aspects()));
+        Self { full, joints: joints.collect(), starred, sizes, uncropped }
     }
 
     /// The number of photos of each page. `pages`: the wanted number of pages; `most`: their maximum.
@@ -391,7 +419,19 @@ impl<'a> Spine<'a> {
         let stars = self.starred[from..to].iter().filter(|starred| **starred).count().saturating_sub(1);
         let same = if size == last && from > 0 { SAME } else { 0.0 };
         let joints: f64 = self.joints[from..to - 1].iter().sum();
-        sizes[size - 1] + same + joints + STARS * stars as f64
+        sizes[size - 1] + same + joints + STARS * stars as f64 + EMPTY * self.unused(from, to)
+    }
+
+    /// The part of a page that is empty, if it shows the photos `from..to` whole.
+    fn unused(&self, from: usize, to: usize) -> f64 {
+        match &self.uncropped {
+            Some((page, aspects)) if (2..FILLS).contains(&(to - from)) => {
+                let used =
+                    arranged(&aspects[from..to]).into_iter().map(|aspect| (aspect / page).min(page / aspect));
+                1.0 - used.fold(0.0, f64::max)
+            }
+            _ => 0.0,
+        }
     }
 
     /// The pages of the least cost, if each page costs `price`.
@@ -430,10 +470,24 @@ impl<'a> Spine<'a> {
     }
 }
 
+/// The aspect ratios of all arrangements of photos in rows and columns.
+fn arranged(aspects: &[f64]) -> Vec<f64> {
+    if let [one] = aspects {
+        return vec![*one];
+    }
+    let mut all = Vec::new();
+    for cut in 1..aspects.len() {
+        let [first, rest] = [&aspects[..cut], &aspects[cut..]].map(arranged);
+        for (a, b) in first.iter().flat_map(|a| rest.iter().map(move |b| (a, b))) {
+            all.extend([a + b, a * b / (a + b)]);
+        }
+    }
+    all
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::framing::{FACE, Subject};
     use crate::layout::{self, PageSettings};
     use crate::plan::composer::gallery;
     use crate::plan::slots::slots;
@@ -465,8 +519,56 @@ mod tests {
             counts: &[1, 2, 3, 4, 5, 6, 7, 8, 9],
             whole: &whole,
             apart,
+            uncropped: None,
         };
         outline(&gallery(photos, &shelf), &wanted)
+    }
+
+    #[test]
+    fn the_cover_shows_a_face_that_looks_at_the_camera() {
+        let mut photos = trip();
+        // The points of both faces differ in the tip of the nose.
+        for (at, nose) in [(19, 0.6), (25, 0.5)] {
+            let points = [[0.45, 0.3], [0.55, 0.3], [nose, 0.35], [0.5, 0.42], [0.4, 0.32], [0.6, 0.32]];
+            photos[at].find([Subject {
+                x: 0.4,
+                y: 0.2,
+                width: 0.2,
+                height: 0.3,
+                label: FACE.into(),
+                score: 0.95,
+                points: Some(points),
+                expression: None,
+            }]);
+        }
+        assert_eq!(made(&photos, None, false).leaves[0].photos, [25]);
+    }
+
+    #[test]
+    fn photos_without_a_date_begin_a_page() {
+        let mut photos: Vec<PhotoMeta> = (0..11).map(|i| photo(i, 0, i * 5)).collect();
+        for photo in &mut photos[4..] {
+            photo.taken = None;
+        }
+        let outline = made(&photos, None, false);
+        assert!(outline.leaves.iter().any(|leaf| leaf.photos.first() == Some(&4)), "{outline:?}");
+    }
+
+    #[test]
+    fn two_whole_portraits_leave_half_a_page_empty() {
+        let all = |aspects: &[f64]| -> Spine {
+            Spine {
+                full: &[false; 4],
+                joints: vec![0.0; 3],
+                starred: vec![false; 4],
+                sizes: vec![1, 2, 3, 4],
+                uncropped: Some((0.7, aspects.to_vec())),
+            }
+        };
+        let portraits = all(&[0.75; 4]);
+        assert!(portraits.unused(0, 2) > 0.4 && portraits.unused(0, 4) < 0.1);
+        assert_eq!(portraits.sizes(None, 9), [4]);
+        assert!(all(&[1.5; 4]).unused(0, 2) < 0.1);
     }
 
     /// Forty photos of four days.

@@ -29,6 +29,8 @@ use std::collections::HashMap;
 const WHOLE: &str = "splash-bleed";
 const SINGLE: &str = "splash";
 const CAST: &str = "circle-row-3";
+/// Number of pages behind the cover whose largest panel does not repeat its photo.
+const BESIDE_COVER: usize = 2;
 /// Number of recent layouts that a page does not repeat.
 const RECENT: usize = 3;
 /// Minimum height of a face for the end page, in photo heights, and its minimum score.
@@ -114,7 +116,7 @@ impl Book {
             let reason = format!("must be at least {MIN_PAGES}");
             return Err(Error::InvalidDocument { location: "pages".into(), reason });
         }
-        let order = in_time(&request);
+        let order = in_time(&request, &wish.places);
         let shelf = shelf.some(&order);
         request.photos = order.iter().map(|&photo| request.photos[photo].clone()).collect();
         let phrases = Phrases::of(&wish.language)?.with(wish.dates.clone());
@@ -132,6 +134,7 @@ impl Book {
             counts: &counts,
             whole: &whole,
             apart: wish.styles == Styles::Chapters,
+            uncropped: request.page.whole_photos.then_some(aspect),
         };
         let outline = outline(&gallery(&request.photos, &shelf), &wanted);
         let captions = told.captions(&outline, &title.0, &phrases);
@@ -193,7 +196,7 @@ impl Book {
     fn page(&mut self, at: usize) -> Result<Planned> {
         let leaf = &self.outline.leaves[at];
         let chapter = if self.wish.styles == Styles::Chapters { leaf.chapter } else { 0 };
-        let photos: Vec<PhotoMeta> =
+        let mut photos: Vec<PhotoMeta> =
             leaf.photos.iter().map(|&photo| self.request.photos[photo].clone()).collect();
         let cast = if leaf.role == Role::End { self.cast(leaf.photos[0]) } else { Vec::new() };
         let layout = match leaf.role {
@@ -209,8 +212,20 @@ impl Book {
         // Photos may be anywhere on a page that tells one moment only.
         let several = self.captions[at].iter().any(|(photo, ..)| *photo != leaf.photos[0]);
         let given = self.request.style.clone().filter(|_| chapter == 0);
-        // The cover counts as the page before, so that another photo leads if there is one of nearly equal strength.
+        // The cover counts as the page before, so that another photo leads if there is one of nearly equal strength. Next to the
+        // cover, another photo always leads.
         let cover = self.request.photos[self.outline.leaves[0].photos[0]].id.clone();
+        let beside = at <= BESIDE_COVER && !photos.iter().any(|photo| photo.starred);
+        if leaf.role == Role::Page && beside && photos.iter().any(|photo| photo.id == cover) {
+            let shelf = self.shelf.some(&leaf.photos);
+            let album = gallery(&photos, &shelf);
+            let others = (0..photos.len()).filter(|&i| photos[i].id != cover);
+            let lead = others.max_by(|&a, &b| album.lead(a).total_cmp(&album.lead(b)));
+            drop(album);
+            if let Some(lead) = lead {
+                photos[lead].starred = true;
+            }
+        }
         let request = Request {
             seed: self.request.seed.wrapping_add(at as u32),
             panels: Some(photos.len()),
@@ -270,22 +285,39 @@ impl Book {
     fn cast(&self, closing: usize) -> Vec<usize> {
         let suits = layout::find(CAST).is_ok_and(|layout| layout.good_for(self.request.page.aspect()));
         let photos = &self.request.photos;
-        let face = |photo: &PhotoMeta| {
-            let clear =
-                |face: &&Subject| face.label == FACE && face.score >= CAST_SCORE && face.height >= CAST_FACE;
-            let faces = photo.subjects.iter().filter(clear);
-            faces.map(|face| face.height * face.score).fold(0.0, f64::max)
-        };
         let target = Target { round: true, ..Target::of_aspect(1.0) };
+        // The rate of the face that a close crop shows. Shut eyes and turned heads lower it.
+        let face = |photo: &PhotoMeta| {
+            let crop = closeup(photo, &target, 0)?;
+            let within = |face: &Subject| {
+                let part = |at: f64, from: f64, length: f64| (0.0..1.0).contains(&((at - from) / length));
+                part(face.x + face.width / 2.0, crop.x, crop.width)
+                    && part(face.y + face.height / 2.0, crop.y, crop.height)
+            };
+            let clear = |face: &&Subject| {
+                face.label == FACE && face.score >= CAST_SCORE && face.height >= CAST_FACE && within(face)
+            };
+            let rate = |face: &Subject| face.height * face.score * face.clearness();
+            photo.subjects.iter().filter(clear).map(rate).max_by(f64::total_cmp)
+        };
+        // A photo that has its own page needs no other place.
+        let alone: Vec<usize> = self
+            .outline
+            .leaves
+            .iter()
+            .filter(|leaf| leaf.photos.len() == 1)
+            .map(|leaf| leaf.photos[0])
+            .collect();
+        let rate = |i: usize| face(&photos[i]).map(|rate| if alone.contains(&i) { 0.5 * rate } else { rate });
         let shown: Vec<usize> = self.outline.leaves.iter().flat_map(|leaf| leaf.photos.clone()).collect();
         let parts = 3;
         let mut cast = Vec::new();
         for part in 0..parts {
             let (from, to) = (part * photos.len() / parts, (part + 1) * photos.len() / parts);
-            let clear = (from..to)
-                .filter(|&i| i != closing && shown.contains(&i) && face(&photos[i]) > 0.0)
-                .filter(|&i| closeup(&photos[i], &target, 0).is_some())
-                .max_by(|&a, &b| face(&photos[a]).total_cmp(&face(&photos[b])));
+            let rated = (from..to)
+                .filter(|&i| i != closing && shown.contains(&i))
+                .filter_map(|i| Some((i, rate(i)?)));
+            let clear = rated.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i);
             cast.extend(clear);
         }
         if suits && cast.len() == parts { cast } else { Vec::new() }
@@ -310,14 +342,23 @@ impl Book {
     }
 }
 
-/// Returns the indices of the photos in time order. Photos without a date come last. On request, the given
-/// order is preserved.
-fn in_time(request: &Request) -> Vec<usize> {
+/// Returns the indices of the photos in time order. Photos without a date follow the dated photos of their place, or come last.
+/// On request, the given order is preserved.
+fn in_time(request: &Request, places: &HashMap<String, String>) -> Vec<usize> {
     let mut order: Vec<usize> = (0..request.photos.len()).collect();
-    if request.ordered != Some(true) {
-        let moment = |i: usize| request.photos[i].taken.as_deref().and_then(Moment::parse);
-        order.sort_by_key(|&i| moment(i).map_or((1, 0), |moment| (0, moment.seconds)));
+    if request.ordered == Some(true) {
+        return order;
     }
+    let place = |i: usize| {
+        places.get(&request.photos[i].id).map(|place| place.trim()).filter(|place| !place.is_empty())
+    };
+    let taken = |i: usize| Some(Moment::parse(request.photos[i].taken.as_deref()?)?.seconds);
+    let mut last: HashMap<&str, i64> = HashMap::new();
+    for (place, moment) in order.iter().filter_map(|&i| Some((place(i)?, taken(i)?))) {
+        last.entry(place).and_modify(|last| *last = moment.max(*last)).or_insert(moment);
+    }
+    let behind = |i: usize| last.get(place(i)?).copied();
+    order.sort_by_key(|&i| (taken(i).or_else(|| behind(i)).unwrap_or(i64::MAX), taken(i).is_none()));
     order
 }
 
@@ -424,6 +465,34 @@ mod tests {
             led += pages[1..].iter().filter(leads).count();
         }
         assert!(led <= 1, "{led} of 6");
+    }
+
+    #[test]
+    fn another_photo_leads_the_page_next_to_the_cover() {
+        for seed in 0..6 {
+            let mut request = Request { seed, ..request(12) };
+            let face = request.photos[4].subjects.clone();
+            for (i, photo) in request.photos.iter_mut().enumerate() {
+                photo.subjects = if i == 2 { face.clone() } else { Vec::new() };
+            }
+            let pages = made(request, Wish::default());
+            let shown = |page: &BookPage| seen_on(&page.planned.document);
+            assert_eq!(shown(&pages[0]), ["p02"]);
+            assert!(shown(&pages[1])[1..].contains(&"p02".to_owned()), "{:?}", shown(&pages[1]));
+        }
+    }
+
+    #[test]
+    fn photos_without_a_date_follow_their_place() {
+        let mut request = request(4);
+        request.photos[0].taken = None;
+        request.photos[1].taken = None;
+        let places = HashMap::from([("p01", "Sintra"), ("p02", "Sintra"), ("p03", "Évora")]);
+        let places = places.into_iter().map(|(id, place)| (id.to_owned(), place.to_owned())).collect();
+        assert_eq!(in_time(&request, &places), [2, 1, 3, 0]);
+        assert_eq!(in_time(&request, &HashMap::new()), [2, 3, 0, 1]);
+        request.ordered = Some(true);
+        assert_eq!(in_time(&request, &places), [0, 1, 2, 3]);
     }
 
     #[test]

@@ -27,6 +27,8 @@ const LETTER: f64 = 0.5;
 const LINE: f64 = 1.1;
 /// Distance of a title from the edge of the page, in page widths.
 const EDGE: f64 = 0.05;
+/// Cost of a title that is not in the middle of the page, as a share of a face.
+const BESIDE: f64 = 0.02;
 
 /// The time and place of each photo of an album, in its order.
 pub(super) struct Told<'a> {
@@ -69,11 +71,12 @@ impl<'a> Told<'a> {
 
     /// The title, and the line below it, which may be empty. `given`: the title that the user chose.
     pub(super) fn title(&self, given: &str, phrases: &Phrases) -> (String, String) {
-        // The days of a few dated photos are not the days of the book.
-        let most_dated = 3 * self.moments.iter().flatten().count() >= 2 * self.moments.len();
-        let days = self.days().filter(|_| most_dated);
+        // The days and places of a few photos do not describe the book.
+        let most = |known: usize| 3 * known >= 2 * self.moments.len();
+        let days = self.days().filter(|_| most(self.moments.iter().flatten().count()));
         let dates = days.map(|(from, to)| phrases.dates(from, to)).unwrap_or_default();
-        let places = phrases.places(&self.different_places());
+        let known = most(self.places.iter().filter(|place| !place.is_empty()).count());
+        let places = if known { phrases.places(&self.different_places()) } else { String::new() };
         let title =
             [given.trim(), &places, &dates, &phrases.untitled].into_iter().find(|text| !text.is_empty());
         let title = title.unwrap_or_default().to_owned();
@@ -91,7 +94,8 @@ impl<'a> Told<'a> {
         let days = self.days();
         let several = days.is_some_and(|(from, to)| from != to);
         let counted = days.is_some_and(|(from, to)| to - from < COUNTED);
-        let with_year = days.is_some_and(|(from, to)| date(from).0 != date(to).0);
+        // The first caption of each year has it, if there are several.
+        let mut year = days.and_then(|(from, to)| (date(from).0 == date(to).0).then(|| date(from).0));
         let known = self.different_places();
         // A book about one place has it in its title.
         let titled = known.len() == 1 && title.to_lowercase().contains(&known[0].to_lowercase());
@@ -106,7 +110,11 @@ impl<'a> Told<'a> {
                 let mut parts: Vec<String> = Vec::new();
                 if let (true, true, Some(moment), Some((first, _))) = (begins, several, moment, days) {
                     let nth = phrases.nth_day(moment.day() - first).filter(|_| counted);
-                    parts.push(nth.map_or_else(|| phrases.day(moment.day(), with_year), str::to_owned));
+                    let own = date(moment.day()).0;
+                    let with_year = year.replace(own) != Some(own);
+                    // No line ends between a day and its month.
+                    let dated = || phrases.day(moment.day(), with_year).replacen(' ', "\u{a0}", 1);
+                    parts.push(nth.map_or_else(dated, str::to_owned));
                 }
                 if !here.is_empty() && here != place {
                     parts.push(here.to_owned());
@@ -177,8 +185,8 @@ pub(super) fn number(page: &Document, number: usize) -> TextItem {
     }
 }
 
-/// A large text and a smaller one below it, at the upper or the lower edge of the page, wherever they hide less of the
-/// subjects of the first panel. `low`: the lower edge is taken.
+/// A large text and a smaller one below it, at the upper or the lower edge of the page, wherever they hide least of the
+/// subjects of the first panel. A single line may be beside the middle. `low`: the lower edge is taken.
 pub(super) fn title(
     page: &Document,
     photo: &PhotoMeta,
@@ -190,13 +198,26 @@ pub(super) fn title(
     let smaller = if below.is_empty() { 0.0 } else { SUBTITLE };
     let high = (lines as f64 * size + smaller) * LINE;
     let band = (high + EDGE) * aspect;
-    let hidden = |from: f64, to: f64| -> f64 { covered(page, photo, from, to) };
-    let top = low || hidden(0.0, band) <= hidden(1.0 - band, 1.0);
-    let start = if top { EDGE * aspect } else { 1.0 - (high + EDGE) * aspect };
+    let own = if lines == 1 && below.is_empty() { (1.1 * size * wide(text)).min(WIDTH) } else { WIDTH };
+    let side = EDGE + own / 2.0;
+    let starts = [EDGE * aspect, 1.0 - (high + EDGE) * aspect];
+    let mut spot = (f64::INFINITY, 0.5, starts[0]);
+    for &start in &starts[..if low { 1 } else { 2 }] {
+        let from = if start < 0.5 { 0.0 } else { 1.0 - band };
+        for x in [0.5, side, 1.0 - side] {
+            let hidden = covered(page, photo, (x - own / 2.0, x + own / 2.0), (from, from + band));
+            // The middle is the usual place.
+            let hidden = if (x - 0.5).abs() > 1e-9 { 1.5 * hidden + BESIDE } else { hidden };
+            if hidden < spot.0 {
+                spot = (hidden, x, start);
+            }
+        }
+    }
+    let (_, x, start) = spot;
     let word = |text: &str, y: f64, size: f64, font: &str| TextItem {
-        x: Some(0.5),
+        x: Some(x),
         y: Some(y),
-        width: Some(WIDTH),
+        width: Some(own),
         size: Some(size),
         font: Some(font.to_owned()),
         boxless: true,
@@ -213,9 +234,13 @@ pub(super) fn title(
     words
 }
 
+/// The width of a line in ems.
+fn wide(text: &str) -> f64 {
+    text.chars().map(|c| if c > '\u{2e80}' { 1.0 } else { LETTER }).sum()
+}
+
 /// The height of an em that a title gets, and its number of lines.
 fn fitted(text: &str) -> (f64, usize) {
-    let wide = |text: &str| text.chars().map(|c| if c > '\u{2e80}' { 1.0 } else { LETTER }).sum::<f64>();
     let longest = text.split_whitespace().map(wide).fold(LETTER, f64::max);
     let whole = wide(text).max(LETTER);
     let sized = |lines: usize| {
@@ -229,16 +254,18 @@ fn fitted(text: &str) -> (f64, usize) {
         .fold((sized(1), 1), |best, next| if next.0 > 1.35 * best.0 { next } else { best })
 }
 
-/// How much of the subjects of the first panel lies between two heights of the page, faces with hair most.
-fn covered(page: &Document, photo: &PhotoMeta, from: f64, to: f64) -> f64 {
+/// How much of the subjects of the first panel lies in a part of the page, faces with hair most.
+fn covered(page: &Document, photo: &PhotoMeta, across: (f64, f64), down: (f64, f64)) -> f64 {
     let Some(crop) = page.panels.first().and_then(|panel| panel.crop) else { return 0.0 };
+    let shared = |(from, length): (f64, f64), (low, high): (f64, f64)| {
+        ((from + length).min(high) - from.max(low)).max(0.0) / length.max(1e-6)
+    };
     let part = |subject: &Subject| {
-        let top = (subject.y - crop.y) / crop.height;
-        let bottom = top + subject.height / crop.height;
-        let shared = (bottom.min(to) - top.max(from)).max(0.0) / (bottom - top).max(1e-6);
+        let x = ((subject.x - crop.x) / crop.width, subject.width / crop.width);
+        let y = ((subject.y - crop.y) / crop.height, subject.height / crop.height);
         let weight = if subject.label == crate::framing::FACE { 4.0 } else { 1.0 };
         let alive = if subject.is_alive() { 1.0 } else { 0.3 };
-        shared * weight * alive * (subject.width * subject.height).sqrt()
+        shared(x, across) * shared(y, down) * weight * alive * (subject.width * subject.height).sqrt()
     };
     photo.marked().map(|subject| part(&subject.grown())).sum()
 }
@@ -300,23 +327,26 @@ mod tests {
             told(&["06:09 09:00", "06:09 12:30", "06:09 20:10"], &[], &[0, 0, 0], "Trip"),
             ["1 At noon.", "2 In the evening.",]
         );
-        assert_eq!(told(&["03:09 09:00", "06:10 12:30"], &[], &[0, 1], ""), ["0 9 March.", "1 10 June."]);
+        assert_eq!(
+            told(&["03:09 09:00", "06:10 12:30"], &[], &[0, 1], ""),
+            ["0 9\u{a0}March.", "1 10\u{a0}June."]
+        );
         assert!(told(&["", ""], &[], &[0, 0], "").is_empty());
     }
 
     #[test]
-    fn the_dates_of_an_album_of_several_years_have_their_year() {
+    fn the_first_date_of_each_year_has_it() {
         let taken = |year: i32, day: &str| PhotoMeta {
             taken: Some(format!("{year}:{day} 10:00:00")),
             ..PhotoMeta::unmeasured(&format!("p{year}"), 3000, 2000)
         };
-        let photos = [taken(2023, "11:02"), taken(2024, "04:11")];
-        let page = Leaf { role: Role::Page, chapter: 0, photos: vec![0, 1] };
-        let outline = Outline { leaves: vec![page], chapters: vec![0, 1] };
+        let photos = [taken(2023, "11:02"), taken(2024, "04:11"), taken(2024, "05:01")];
+        let page = Leaf { role: Role::Page, chapter: 0, photos: vec![0, 1, 2] };
+        let outline = Outline { leaves: vec![page], chapters: vec![0, 1, 2] };
         let places = HashMap::new();
         let told = Told::new(&photos, &places).captions(&outline, "", &Phrases::of("en").unwrap());
         let texts: Vec<&str> = told[0].iter().map(|(_, text, _)| text.as_str()).collect();
-        assert_eq!(texts, ["2 November 2023.", "11 April 2024."]);
+        assert_eq!(texts, ["2\u{a0}November 2023.", "11\u{a0}April 2024.", "1\u{a0}May."]);
     }
 
     #[test]
@@ -337,6 +367,8 @@ mod tests {
         assert_eq!(nothing.title("", &Phrases::of("de").unwrap()).0, "Unsere Fotos");
         let few = Told { moments: vec![Moment::parse("2026:06:09 10:00:00"), None], places: vec!["", ""] };
         assert_eq!(few.title("", &Phrases::of("de").unwrap()).0, "Unsere Fotos");
+        let one = Told { moments: vec![None; 3], places: vec!["Lisbon", "", ""] };
+        assert_eq!(one.title("", &Phrases::of("de").unwrap()).0, "Unsere Fotos");
     }
 
     #[test]
@@ -357,8 +389,34 @@ mod tests {
             Request { layout: Some("splash".into()), photos: vec![photo.clone()], ..Request::default() };
         let mut page = plan(&request).unwrap();
         page.panels[0].crop = Some(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
-        assert!(covered(&page, &photo, 0.0, 0.25) > 0.05, "the band ends between hair and face");
-        assert!(covered(&page, &photo, 0.0, 0.15) < 1e-9);
+        let hidden = |across, high| covered(&page, &photo, across, (0.0, high));
+        assert!(hidden((0.0, 1.0), 0.25) > 0.05, "the band ends between hair and face");
+        assert!(hidden((0.0, 1.0), 0.15) < 1e-9 && hidden((0.7, 1.0), 0.25) < 1e-9);
+    }
+
+    #[test]
+    fn a_line_moves_aside_from_a_head_at_the_edge_of_the_page() {
+        let at = |x: f64| {
+            let mut photo = PhotoMeta::unmeasured("p0", 2000, 3000);
+            let (label, points, expression) = (FACE.into(), None, None);
+            photo.find([Subject {
+                label,
+                score: 0.9,
+                x,
+                y: 0.1,
+                width: 0.25,
+                height: 0.2,
+                points,
+                expression,
+            }]);
+            let request =
+                Request { layout: Some("splash".into()), photos: vec![photo.clone()], ..Request::default() };
+            let mut page = plan(&request).unwrap();
+            page.panels[0].crop = Some(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
+            title(&page, &photo, ("The end", ""), ("en", true))[0].x.unwrap()
+        };
+        assert!(at(0.7) < 0.4 && at(0.05) > 0.6);
+        assert!((at(0.375) - 0.5).abs() < 1e-9);
     }
 
     #[test]

@@ -66,6 +66,9 @@ const LONGEST_NECK: f64 = 0.03;
 /// Preferred offset of a linked balloon to the side and down, as shares of the sizes of both, and the cost of
 /// less.
 const STAGGER: (f64, f64, f64) = (0.2, 0.5, 2.0);
+/// Minimum distance of the lips of a face that speaks, in widths of the mouth, and the cost of another face with closed lips.
+const SPEAKING: f64 = 0.15;
+const SILENT: f64 = 1.5;
 /// Cost of one face speaking for two speakers.
 const TWO_IN_ONE: f64 = 10.0;
 
@@ -203,13 +206,15 @@ fn one_mouth(one: (&TextItem, &Place), other: (&TextItem, &Place), speakers: &[(
     }
 }
 
-/// The faces that may speak, the likeliest first: large ones, that were surely seen.
+/// The faces that may speak, the likeliest first: large ones with open lips, that were surely seen.
 fn speakers(seen: &[Seen]) -> Vec<(usize, f64)> {
     let size = |seen: &Seen| seen.bounds.width * seen.bounds.height * (0.5 + 0.5 * seen.score);
     let faces = || seen.iter().enumerate().filter(|(_, seen)| seen.class == Class::Face);
     let largest = faces().map(|(_, seen)| size(seen)).fold(1e-12, f64::max);
+    let widest = faces().map(|(_, seen)| seen.lips).fold(0.0, f64::max);
+    let silent = |seen: &Seen| if widest > SPEAKING { SILENT * (1.0 - seen.lips / widest) } else { 0.0 };
     let mut likely: Vec<(usize, f64)> =
-        faces().map(|(i, seen)| (i, 2.2 * (1.0 - (size(seen) / largest).sqrt()))).collect();
+        faces().map(|(i, seen)| (i, 2.2 * (1.0 - (size(seen) / largest).sqrt()) + silent(seen))).collect();
     likely.sort_by(|a, b| a.1.total_cmp(&b.1));
     likely.truncate(SPEAKERS);
     likely

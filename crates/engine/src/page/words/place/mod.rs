@@ -65,6 +65,8 @@ struct Seen {
     score: f64,
     /// The middle of its mouth.
     mouth: Point,
+    /// Distance of its lips, in widths of the mouth; 0 if it is unknown.
+    lips: f64,
     /// A mask covers it, so its box is not needed for the cover of text.
     masked: bool,
 }
@@ -309,7 +311,8 @@ fn see<'s>(
         let [x, y] = subject.mouth();
         let Bounds { x, y, .. } = place(x, y, 0.0, 0.0);
         let mouth = Point::new(x, y);
-        scenery.seen.push(Seen { bounds, class, score: subject.score, mouth, masked });
+        let lips = subject.expression.map_or(0.0, |expression| expression.mouth.max(0.0));
+        scenery.seen.push(Seen { bounds, class, score: subject.score, mouth, lips, masked });
     }
     scenery.figures.extend(figure);
 }
@@ -381,6 +384,7 @@ fn is_in_the_way(area: Bounds, scenery: &Scenery, above: &[&ResolvedPanel]) -> b
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::framing::Expression;
     use crate::page::words::layout::measured;
     use serde_json::{Value, json};
 
@@ -426,6 +430,30 @@ mod tests {
                 assert!(!covers(tip), "{layout}, panel {:?}: the tail is on another panel", word.panel);
             }
         }
+    }
+
+    #[test]
+    fn the_face_with_open_lips_speaks() {
+        let letters = Letters::bundled().unwrap();
+        let tip = |lips: [f64; 2]| {
+            let face = |(x, mouth)| Subject {
+                x,
+                y: 0.4,
+                width: 0.2,
+                height: 0.25,
+                label: FACE.to_owned(),
+                score: 0.9,
+                points: None,
+                expression: Some(Expression { right_eye: 0.3, left_eye: 0.3, mouth, smile: 0.0 }),
+            };
+            let subjects = [face((0.15, lips[0])), face((0.65, lips[1]))];
+            let mut document = page("splash", 1, &json!([balloon(0, "It was me!")]), &json!({}));
+            settle(&mut document, |_| Known::from(&subjects[..]), &letters).unwrap();
+            document.words[0].tail.unwrap().x
+        };
+        assert!(tip([0.5, 0.02]) < 0.45 && tip([0.02, 0.5]) > 0.55);
+        // Nearly closed lips say nothing.
+        assert!((tip([0.0, 0.05]) - tip([0.05, 0.0])).abs() < 1e-9);
     }
 
     #[test]
