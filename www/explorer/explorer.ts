@@ -38,7 +38,7 @@ export type Explorer = ReturnType<typeof createExplorer>;
 export const FIRST = 96;
 const FIRST_TRIES = 6 * FIRST;
 /** Styles of the first wall that are sorted and shown together. Later ones never move them. */
-const TOGETHER = 24;
+export const TOGETHER = 24;
 /** Points that neon colours or bleached areas everywhere cost on the first wall. */
 const HARSH = 100;
 export const ROUND = 240;
