@@ -14,7 +14,6 @@ export function BoardSettings() {
   const board = boards.board.value;
   return (
     <div class="board-settings">
-      <ActionButton action={actions.boards.filmBoard} class="button" text />
       <Choice
         label={strings.boards.perSheet}
         value={board.frames}
@@ -33,6 +32,9 @@ export function BoardSettings() {
         values={RATE_NAMES}
         onValue={(name) => boards.change({ pace: undefined, ...RATES[name] })}
       />
+      <Line name="author" label={strings.boards.author} />
+      <Line name="date" label={strings.boards.date} />
+      <LogoChoice />
       <label class="choice">
         <input
           type="checkbox"
@@ -49,9 +51,7 @@ export function BoardSettings() {
         />
         {strings.boards.ruled}
       </label>
-      <Line name="author" label={strings.boards.author} />
-      <Line name="date" label={strings.boards.date} />
-      <LogoChoice />
+      <ActionButton action={actions.boards.filmBoard} class="button" text />
     </div>
   );
 }

@@ -37,6 +37,7 @@ test('the shots follow the pages, with their text in columns by kind, and unused
     { kind: 'caption', text: 'Later', panel: 0, x: 0.2, y: 0.1 },
     { kind: 'effect', text: 'BANG', panel: 0, x: 0.5, y: 0.5 },
     { kind: 'balloon', text: 'Me?', panel: 1, x: 0.5, y: 0.5, by: 'Ann' },
+    { kind: 'balloon', text: 'You.', panel: 1, x: 0.5, y: 0.9, by: 'grandma rose' },
   ] as Word[];
   const panels = [c, a].map((photo) => ({ ...page.panels[0], photo }));
   store.change({ type: 'change-page', page: { ...page, layout: 'grid-2', panels, words, merges: [] } });
@@ -44,7 +45,7 @@ test('the shots follow the pages, with their text in columns by kind, and unused
   expect(boards.rows.value.map(({ id }) => id)).toEqual([c, a, b, d]);
   const said = () => boards.shotList().shots.map(({ dialogue, caption, sound }) => [dialogue, caption, sound]);
   const nothing = ['', '', ''];
-  expect(said()).toEqual([['And you?', 'Later', 'BANG'], ['Ann: Me?', '', ''], nothing, nothing]);
+  expect(said()).toEqual([['And you?', 'Later', 'BANG'], ['Ann: Me?\nGrandma Rose: You.', '', ''], nothing, nothing]);
   boards.put({ row: 1, column: boards.columns.value.findIndex(({ id }) => id === 'dialogue') }, [['Mine']]);
   expect(said()).toEqual([['And you?', 'Later', 'BANG'], ['Mine', '', ''], nothing, nothing]);
   // A shot that was dragged stays there until the order follows the pages again.

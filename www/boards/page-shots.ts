@@ -43,6 +43,8 @@ function saidIn({ words = [] }: PageDocument, panel: number, kind: Word['kind'])
     .map(({ text, by }) => {
       // Stars are emphasis.
       const plain = text.replaceAll('*', '').replace(/\s+/g, ' ').trim();
-      return by ? `${by}: ${plain}` : plain;
+      // Speakers of a script are stored in lower case.
+      const name = by?.replace(/(?<![\p{L}\p{M}’'])\p{L}/gu, (letter) => letter.toLocaleUpperCase());
+      return name ? `${name}: ${plain}` : plain;
     });
 }

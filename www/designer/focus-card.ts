@@ -1,10 +1,14 @@
 import type { Place } from '../engine/types.ts';
 
-/** Puts the focus on the card there, once it is drawn. */
-export function focusCard({ layer, at }: Place) {
+/** Scrolls the card there into view, once it is drawn. */
+export function showCard({ layer, at }: Place, then: (card: HTMLElement) => void = () => {}) {
   requestAnimationFrame(() => {
     const card = document.querySelectorAll(`.lane[data-layer="${layer}"] .card`)[at] as HTMLElement | undefined;
-    card?.focus();
-    card?.scrollIntoView({ block: 'nearest' });
+    if (!card) return;
+    card.scrollIntoView({ block: 'nearest' });
+    then(card);
   });
 }
+
+/** Puts the focus on the card there, once it is drawn. */
+export const focusCard = (place: Place) => showCard(place, (card) => card.focus());

@@ -43,7 +43,7 @@ export function Lane({
       <header class="lane-head">
         <h3 title={strings.layerHelp[layer]}>{strings.layerTitle[layer]}</h3>
         {layer === 'background' && (
-          <label class="lane-faces" title={strings.careForFacesHelp}>
+          <label class="lane-setting" title={strings.careForFacesHelp}>
             <input
               type="checkbox"
               checked={!draft.careless}
@@ -53,13 +53,14 @@ export function Lane({
           </label>
         )}
         {layer === 'foreground' && (
-          <input
-            type="color"
-            aria-label={strings.ink}
-            title={strings.ink}
-            value={draft.ink}
-            onChange={(event) => designer.change({ type: 'ink', ink: event.currentTarget.value })}
-          />
+          <label class="lane-setting">
+            <span>{strings.ink}</span>
+            <input
+              type="color"
+              value={draft.ink}
+              onChange={(event) => designer.change({ type: 'ink', ink: event.currentTarget.value })}
+            />
+          </label>
         )}
       </header>
       <ol class="cards" aria-label={strings.layerName[layer]}>

@@ -14,7 +14,7 @@ import { Icon } from '../ui/icon.tsx';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { BlockName } from './block-name.tsx';
-import { focusCard } from './focus-card.ts';
+import { focusCard, showCard } from './focus-card.ts';
 import type { CardDrag } from './card-drag.ts';
 import type { Block, DraftFacts, Layer, ParamValue, Style } from '../engine/types.ts';
 
@@ -56,6 +56,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
     // The palette stays open for more blocks. A place that was named is for one, and on a small screen it hides the lanes.
     if (ui.wide.peek() && at === null) {
       setWords('');
+      showCard(place);
       return;
     }
     onAdded();
@@ -122,12 +123,9 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
       <ul class="palette-blocks">
         {found.map((block) => {
           const before = brings[block.id];
-          const after = blocks.find(({ id }) => id === followerOf(block.id, steps[to]?.block));
-          const notes = [
-            before ? strings.brings[before.lacks] : '',
-            after ? strings.bringsAfter({ name: strings.blockName(after) }) : '',
-          ];
-          const note = notes.filter(Boolean).join(' ');
+          const after = followerOf(block.id, steps[to]?.block);
+          const others = blocks.filter(({ id }) => id === before?.remedy || id === after);
+          const note = others.map((other) => strings.bringsWith({ name: strings.blockName(other) })).join(' ');
           return (
             <li key={block.id}>
               <button

@@ -7,7 +7,7 @@ import { useApp } from '../ui/context.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 
 /** Entries of `Start from` that are not styles. */
-const [EMPTY, PAGE] = ['#empty', '#page'];
+const [EMPTY, PAGE, PICTURE] = ['#empty', '#page', '#picture'];
 
 export function StyleBar() {
   const { designer, ownStyles, actions } = useApp();
@@ -23,7 +23,6 @@ export function StyleBar() {
   return (
     <div class="style-bar">
       <StartFrom />
-      <ActionButton action={actions.imitation.open} />
       <input
         class="text style-name"
         type="text"
@@ -45,7 +44,7 @@ export function StyleBar() {
 }
 
 function StartFrom() {
-  const { store, designer, ownStyles } = useApp();
+  const { store, designer, ownStyles, actions } = useApp();
   const mine = ownStyles.mine.value;
   const favourites = ownStyles.favourites.value.filter(({ id }) => mine.every((style) => style.id !== id));
   const designed = store.planner.value?.styles() ?? [];
@@ -54,6 +53,7 @@ function StartFrom() {
     const { value } = select;
     select.value = '';
     if (value === PAGE) designer.beginWithPage();
+    else if (value === PICTURE) actions.imitation.open.run();
     else designer.begin([...mine, ...favourites, ...designed].find(({ id }) => id === value) ?? null);
   }
 
@@ -64,6 +64,7 @@ function StartFrom() {
       </option>
       <option value={EMPTY}>{strings.newStyle}</option>
       {store.page.value && <option value={PAGE}>{strings.pageStyle}</option>}
+      <option value={PICTURE}>{strings.styleFromPicture}</option>
       {[
         { name: strings.myStyles, styles: mine },
         { name: strings.favourites, styles: favourites },

@@ -1,7 +1,6 @@
 /**
  * The score of each style on the explorer's wall, from 0 to 100. Simple measures give a first score, until the model
  * has rated the picture. The model scores one style at a time after the user has sorted the wall, visible styles first.
- * The order does not change until the user sorts again.
  */
 
 import { effect, signal } from '@preact/signals';
@@ -20,17 +19,19 @@ const REST = 1200;
 /** Practical range of the model's ratings from 1 to 10. */
 const [WORST, BEST] = [2.5, 6.5];
 
-/** @param app `wanted`: without it, the model is not used */
+/** @param app `wanted`: without it, the model is not used; `complete`: called when the model has rated all styles */
 export function createScores({
   engine,
   messages,
   items,
   wanted,
+  complete = () => {},
 }: {
   engine: Pick<Engine, 'judges' | 'judgeStyle' | 'hasPhoto'>;
   messages: Messages;
   items: ReadonlySignal<readonly Item[]>;
   wanted: boolean;
+  complete?: () => void;
 }) {
   /** Scores from 1 to 10 times the novelty of the image, by style; null after an error. */
   const known: Map<string, number | null> = new Map();
@@ -130,6 +131,7 @@ export function createScores({
     if (running !== mine) return;
     judged.value = new Map(known);
     running = null;
+    complete();
     progress.value = null;
   }
 }

@@ -9,6 +9,7 @@ import { useHero } from '../photos/hero.ts';
 import { useDrawnPhotos } from '../photos/photo-picker.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { Workspace } from '../ui/workspace.tsx';
+import { TOGETHER } from './explorer.ts';
 import { Dials } from './dials.tsx';
 import { Enlarged } from './enlarged.tsx';
 import { Filters } from './filters.tsx';
@@ -88,6 +89,9 @@ export function Explorer() {
       <Status />
       <ul class="wall" ref={wall} onPointerLeave={() => glimpse.point(null)} onBlurCapture={() => glimpse.point(null)}>
         {vnodes}
+        {items.length === 0 &&
+          running &&
+          Array.from({ length: TOGETHER }, (_, i) => <li key={i} class="wall-waiting" aria-hidden="true" />)}
       </ul>
       {items.length === 0 && !running && <p class="wall-empty">{strings.explorerEmpty}</p>}
       {items.length > 0 && shown.length === 0 && <p class="wall-empty">{strings.explorerNone}</p>}

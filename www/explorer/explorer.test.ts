@@ -18,7 +18,7 @@ const looks = (style: any) => ({
   signature: Uint8Array.from([(style.seed * 32) % 256, (Math.floor(style.seed / 8) * 32) % 256, style.seed % 256, 0]),
 });
 
-function app(judge: (style: any, photo: string) => any = looks) {
+function app(judge: (style: any, photo: string) => any = looks, model: object = { judges: false }) {
   const made = fakeApp();
   const bred: any[] = [];
   const planner = {
@@ -32,7 +32,7 @@ function app(judge: (style: any, photo: string) => any = looks) {
   made.store.planner.value = planner;
   let sent = 0;
   const engine = {
-    judges: false,
+    ...model,
     exploreStyles: async (photo: string, styles: any[], __: any, call: any) => {
       sent += styles.length;
       await new Promise((done) => {
@@ -51,8 +51,8 @@ function app(judge: (style: any, photo: string) => any = looks) {
 }
 
 /** With some on the wall, from seed 0. */
-async function hung(judge?: (style: any, photo: string) => any) {
-  const made = app(judge);
+async function hung(judge?: (style: any, photo: string) => any, model?: object) {
+  const made = app(judge, model);
   made.explorer.begin(0);
   await made.explorer.generate(PHOTO);
   return made;
@@ -172,6 +172,20 @@ describe('the explorer', () => {
     await explorer.generate(PHOTO);
     expect(ids().slice(0, sorted.length)).toEqual(sorted);
     expect(explorer.unsorted.value).toBe(ids().length > sorted.length);
+  });
+
+  it('sorts again once the model has scored all styles, but not after a later round', async () => {
+    const model = { judges: true, hasPhoto: () => true, judgeStyle: async (_: string, style: any) => style.seed % 7 };
+    const { explorer, ids } = await hung(undefined, model);
+    explorer.sort();
+    await vi.waitFor(() => expect(explorer.scores.progress.value).toBe(null));
+    const points = () => explorer.shown.value.map(explorer.scores.points);
+    expect(points()).toEqual(points().sort((a, b) => b - a));
+    expect(new Set(points()).size).toBeGreaterThan(3);
+    const sorted = ids();
+    await explorer.generate(PHOTO);
+    await vi.waitFor(() => expect(explorer.scores.progress.value).toBe(null));
+    expect(ids().slice(0, sorted.length)).toEqual(sorted);
   });
 
   it('shows one kind of look, one hue, one lightness', async () => {

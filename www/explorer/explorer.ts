@@ -38,7 +38,7 @@ export type Explorer = ReturnType<typeof createExplorer>;
 export const FIRST = 96;
 const FIRST_TRIES = 6 * FIRST;
 /** Styles of the first wall that are sorted and shown together. Later ones never move them. */
-const TOGETHER = 24;
+export const TOGETHER = 24;
 /** Points that neon colours or bleached areas everywhere cost on the first wall. */
 const HARSH = 100;
 export const ROUND = 240;
@@ -80,7 +80,7 @@ export function createExplorer({
     );
   });
   const progress: Signal<Doing | null> = signal(null);
-  const scores = createScores({ engine, messages, items: wall.items, wanted: judged });
+  const scores = createScores({ engine, messages, items: wall.items, wanted: judged, complete: finishSort });
   const look = signal('all');
   const hue: Signal<Hue | null> = signal(null);
   const lightness: Signal<Lightness | null> = signal(null);
@@ -96,6 +96,8 @@ export function createExplorer({
   const lastParents: Signal<Parents | null> = signal(null);
   /** Whether the user has sorted the wall. */
   const sorted = signal(false);
+  /** Whether the last sort is repeated when the model has scored the styles. */
+  let isSorting = false;
   const begun: Signal<string | null> = signal(null);
   let made = 0;
   let running: AbortController | null = null;
@@ -206,11 +208,17 @@ export function createExplorer({
     made = 0;
   }
 
-  /** Sorts by the known scores, the best first. */
+  /** Sorts by the known scores, the best first, and again when the model has scored all styles. */
   function sort() {
     scores.ask();
+    isSorting = scores.progress.peek() !== null;
     sorted.value = true;
     wall.sort(scores.points);
+  }
+
+  function finishSort() {
+    if (isSorting) wall.sort(scores.points);
+    isSorting = false;
   }
 
   /** Chooses the first parent, or combines it with this style. */
@@ -374,6 +382,7 @@ export function createExplorer({
     parents.clear();
     lastParents.value = null;
     sorted.value = false;
+    isSorting = false;
     scores.forget();
     wall.clear();
   }

@@ -2,7 +2,9 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { Thumbnail, useInView } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
+import { Priority } from '../engine/queue.ts';
 import { middleOf } from '../photos/cover.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
@@ -21,6 +23,23 @@ function Score({ points }: { points: number }) {
     <span class="wall-score" title={score} role="img" aria-label={score}>
       {strings.decimal(points, 0)}
     </span>
+  );
+}
+
+/**
+ * The picture of a visible style with two pixels per CSS pixel, over the picture of the wall. Pictures of the wall are
+ * smaller, because most of them are rejected.
+ */
+function SharpPicture({ item: { style, photo } }: { item: Item }) {
+  const { engine } = useApp();
+  const scale = 2 / Math.min(2, globalThis.devicePixelRatio || 1);
+  const size = { width: Math.round(scale * photo.width), height: Math.round(scale * photo.height) };
+  return (
+    <Thumbnail
+      of={`${style.id} ${photo.id}`}
+      // New styles are as urgent.
+      draw={(call) => engine.photoFile(photo.id, style, size, { ...call, priority: Priority.REST })}
+    />
   );
 }
 
@@ -47,6 +66,8 @@ export function WallItem({
   point: Point;
 }) {
   const { explorer, store } = useApp();
+  const tile = useRef(null as HTMLLIElement | null);
+  const isInView = useInView(tile);
   const { style } = item;
   const deeds = useStyleDeeds(style, photo);
   // A tile does not cut the face.
@@ -64,6 +85,7 @@ export function WallItem({
   const origin = family === 'parent' ? strings.parent : parents && originOf(parents[0].name, parents[1].name);
   return (
     <li
+      ref={tile}
       class="wall-item"
       data-style={style.id}
       aria-label={style.name}
@@ -74,6 +96,7 @@ export function WallItem({
       <button
         type="button"
         class="wall-picture"
+        style={{ '--middle': middle.map((part) => `${Math.round(part * 100)}%`).join(' ') }}
         aria-label={strings.enlarge({ name: style.name })}
         {...pointing(style.id, point)}
         onClick={() => {
@@ -81,12 +104,8 @@ export function WallItem({
           explorer.enlarged.value = style.id;
         }}
       >
-        <canvas
-          ref={canvas}
-          class="bitmap"
-          aria-hidden="true"
-          style={{ objectPosition: middle.map((part) => `${Math.round(part * 100)}%`).join(' ') }}
-        />
+        <canvas ref={canvas} class="bitmap" aria-hidden="true" />
+        {isInView && <SharpPicture item={item} />}
       </button>
       <p class="wall-name" aria-hidden="true">
         {style.name}

@@ -6,7 +6,7 @@ import { FORMATS, isArchive, isList, pictureIn } from './formats.ts';
 import { USUAL_QUALITY } from './page-making.ts';
 import { PAGE_SIZES, scaled, sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';
-import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
+import { Bitmap } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { Dialog } from '../ui/dialog.tsx';
 import { Icon } from '../ui/icon.tsx';
@@ -25,7 +25,8 @@ import type { Choice } from './export-choice.ts';
 import type { Format } from './formats.ts';
 import type { Print } from './print.ts';
 
-const PREVIEW = 330;
+/** The longer side of the drawn preview, in pixels. It is larger than on the screen, because scaling smooths dots of styles. */
+const PREVIEW = 920;
 /** Lower resolutions, in DPI, are for screens. */
 const COARSE_FROM = 150;
 /** Formats of one picture, which the clipboard can hold. */
@@ -93,7 +94,7 @@ export function ExportDialog() {
     if (ui.dialog.peek() === 'export') ui.dialog.value = null;
     exportChoice.asked.value = null;
   };
-  const drawnWidth = screenPixels(PREVIEW * Math.min(1, width / height));
+  const drawnWidth = Math.round(PREVIEW * Math.min(1, width / height));
   const saveProject = () => {
     void keeping.files.save();
     close();

@@ -27,7 +27,7 @@ export function ChoiceOfPhotos() {
   const shown = wish ?? duplicateThreshold;
   const busy = store.reading.value !== null;
   return (
-    <details class="choice" onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
+    <details class="photo-choice" onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
       <summary>{strings.choice}</summary>
       <label class="field">
         <span>{strings.alike}</span>

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { heroOf } from './hero.ts';
+import { heroOf, nextHero } from './hero.ts';
 import type { PhotoMeta, Subject } from '../engine/types.ts';
 
 const energy = (value: string) => ({ columns: 2, rows: 1, values: value.repeat(2) });
@@ -8,12 +8,13 @@ const photo = (id: string, value: string, subjects: Subject[] = []) =>
   ({ id, energy: energy(value), subjects }) as unknown as PhotoMeta;
 
 /** An album whose page shows the photos in panels that become smaller. */
-function hero(photos: PhotoMeta[]) {
+function album(photos: PhotoMeta[]) {
   const panels = photos.map(({ id }) => ({ photo: id }));
   const boxes = photos.map((_, i) => ({ bounds: { width: 1 / (i + 1), height: 1 } }));
   const store = { photos: { value: photos }, page: { value: { panels } }, geometry: { value: { panels: boxes } } };
-  return heroOf({ store, engine: { hasPhoto: () => true } } as any);
+  return { store, engine: { hasPhoto: () => true } } as any;
 }
+const hero = (photos: PhotoMeta[]) => heroOf(album(photos));
 
 test('pictures of styles show the photo with the clearest face', () => {
   expect(
@@ -21,6 +22,14 @@ test('pictures of styles show the photo with the clearest face', () => {
   ).toBe('one');
   // A speck of a face, and one that fills the photo, show little of a style.
   expect(hero([photo('a', '20'), photo('speck', '20', [face(0.02)]), photo('b', '20', [face(0.9)])])).toBe('a');
+});
+
+test('a face stays while photos are searched for faces, and the clearest face comes at the end', () => {
+  const photos = album([photo('sky', '20'), photo('small', '20', [face(0.15)]), photo('large', '20', [face(0.3)])]);
+  expect(nextHero(photos, 'sky', true)).toBe('large');
+  expect(nextHero(photos, 'small', true)).toBe('small');
+  expect(nextHero(photos, 'small', false)).toBe('large');
+  expect(nextHero(album([photo('sky', '20'), photo('bus', '60')]), 'bus', false)).toBe('bus');
 });
 
 test('a gray photo comes after photos with colours, and is shown if all are gray', () => {

@@ -18,20 +18,25 @@ const LEAST_CHROMA = 6;
 /** Minimum clearness of the best face. A single face with 1.5 % of the photo has about this clearness. */
 const LEAST_CLEAR = 0.1;
 
-/**
- * The photo of style previews. It stays the same as long as it is in use, so that previews do not change with pages. It changes
- * to a photo with a face or a subject after the detection, if it shows neither.
- */
+/** The photo of style previews. */
 export function useHero(): string | null {
   const app = useApp();
   const hero = useRef(null as string | null);
-  const usable = usableIn(app);
-  const known = new Map(app.store.photos.value.map((photo) => [photo.id, photo]));
-  const rank = (id: string | null) => rankOf(known.get(id ?? ''));
-  const stays = hero.current !== null && usable.includes(hero.current);
-  const now = rank(hero.current);
-  if (!stays || usable.some((id) => rank(id) > now)) hero.current = heroOf(app);
+  hero.current = nextHero(app, hero.current, app.subjects.progress.value !== null);
   return hero.current;
+}
+
+/**
+ * Returns the photo of style previews after another. A photo stays as long as it is in use, so that previews do not change
+ * with pages. It is replaced by a photo with a face or a subject, if it shows neither, and by the clearest face at the end of
+ * the detection.
+ */
+export function nextHero(album: Album, hero: string | null, isDetecting: boolean): string | null {
+  const usable = usableIn(album);
+  const known = new Map(album.store.photos.value.map((photo) => [photo.id, photo]));
+  const rank = (id: string) => rankOf(known.get(id)) + (isDetecting ? 0 : faceIn(known.get(id)));
+  const stays = hero !== null && usable.includes(hero) && usable.every((id) => rank(id) <= rank(hero));
+  return stays ? hero : heroOf(album);
 }
 
 /** Returns 2 for a photo with a clear face, 1 with another subject, 0 for others, and -1 for a gray photo. */

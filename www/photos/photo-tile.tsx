@@ -236,11 +236,13 @@ export function PhotoTile({
 /** Pages and panels that show a photo, as text, so that a tile is only drawn again after a change. */
 function shownOn(pages: readonly PageDocument[], id: string, long: boolean): string {
   const several = pages.length > 1;
-  const say = (page: number, panel: number) => {
-    if (long) return several ? strings.onPageAndPanelLong({ page, panel }) : strings.onPanelLong({ panel });
-    return several ? strings.onPageAndPanel({ page, panel }) : strings.onPanel({ panel });
-  };
-  return pages
-    .flatMap(({ panels }, at) => panels.flatMap(({ photo }, panel) => (photo === id ? say(at + 1, panel + 1) : [])))
-    .join(', ');
+  const places = pages.flatMap(({ panels }, at) =>
+    panels.flatMap(({ photo }, i) => (photo === id ? [{ page: at + 1, panel: i + 1 }] : [])),
+  );
+  if (several && !long) {
+    const numbers = [...new Set(places.map(({ page }) => page))].join(', ');
+    return numbers && strings.onPages({ pages: numbers });
+  }
+  const say = several ? strings.onPageAndPanelLong : long ? strings.onPanelLong : strings.onPanel;
+  return places.map(say).join(', ');
 }

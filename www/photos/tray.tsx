@@ -60,7 +60,6 @@ export function Tray() {
         {!ui.wide.value && <ActionButton action={actions.photos.subjects} />}
         <ActionButton action={actions.photos.add} />
       </header>
-      {reading && <Reading done={reading.done} total={reading.total} />}
       {[...store.looking.value].map(([key, { name, part }]) => (
         <Looking key={key} name={name} part={part} />
       ))}
@@ -90,7 +89,7 @@ export function Tray() {
             .map((item) => tile(item, { used: false, stack: 0, isStop: item.id === stop }))}
         </ul>
       )}
-      <Detection />
+      {reading ? <Reading done={reading.done} total={reading.total} /> : <Detection />}
     </section>
   );
 }
@@ -146,7 +145,7 @@ function Looking({ name, part }: { name: string; part: number }) {
   );
 }
 
-/** The progress of face and subject detection, at the bottom of the tray, so that no photo moves when it appears. */
+/** The progress of face and subject detection, at the bottom of the tray like `Reading`, so that no photo moves when it appears. */
 function Detection() {
   const { subjects, masks, actions } = useApp();
   const finding = subjects.progress.value;
@@ -171,8 +170,9 @@ function Reading({ done, total }: Progress) {
   const { reading } = useApp();
   const label = strings.reading({ done, total });
   return (
-    <div class="reading">
-      <progress class="progress" aria-label={label} title={label} value={done} max={total} />
+    <div class="detection">
+      <progress class="progress" aria-label={label} value={done} max={total} />
+      <span aria-hidden="true">{label}</span>
       <IconButton icon="close" label={strings.cancelReading} onClick={reading.cancel} />
     </div>
   );

@@ -129,14 +129,15 @@ export function Listbox<T extends Option>({
   );
 }
 
-/** Scrolls the list, and nothing around it, until the chosen option is in view. */
+/** Scrolls the list, and nothing around it, if the chosen option is not in view. Its neighbours are then in view too. */
 function reveal(list: HTMLElement | null) {
   const option = list?.querySelector('[aria-selected=true]');
   if (!list || !option) return;
-  const outer = list.getBoundingClientRect();
+  const { top, bottom } = list.getBoundingClientRect();
   const inner = option.getBoundingClientRect();
-  if (inner.top < outer.top) list.scrollTop -= outer.top - inner.top + 8;
-  else if (inner.bottom > outer.bottom) list.scrollTop += inner.bottom - outer.bottom + 8;
+  // A search field may cover the padding.
+  const end = bottom - Number.parseFloat(getComputedStyle(list).paddingBlockEnd);
+  if (inner.top < top || inner.bottom > end) list.scrollTop += (inner.top + inner.bottom - top - end) / 2;
 }
 
 /** @returns the option for the key; undefined for other keys */

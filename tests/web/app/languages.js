@@ -149,7 +149,7 @@ const SCREENS = {
   },
   photos: async (page, strings) => {
     if (await button(page, strings.photos).isVisible()) await button(page, strings.photos).click();
-    await page.locator('.choice summary').click();
+    await page.locator('.photo-choice summary').click();
   },
   designer: async (page, strings) => {
     await work(page, strings, strings.designer);

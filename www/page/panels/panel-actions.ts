@@ -125,11 +125,17 @@ export function createPanelActions({
       undo: 'gesture',
     }) satisfies Partial<PanelAction>;
 
+  /** The first half stays selected. */
+  const split = (axis: 'rows' | 'columns') => {
+    const at = panel();
+    reshaping.splitPanel(at, axis);
+    selection.set([at]);
+  };
   const splitInto = (axis: 'rows' | 'columns') =>
     ({
       icon: axis,
       why: whyNotSplit,
-      run: () => reshaping.splitPanel(panel(), axis),
+      run: () => split(axis),
       undo: 'step',
     }) satisfies Partial<Action>;
 
@@ -207,7 +213,7 @@ export function createPanelActions({
       why: whyNotSplit,
       run() {
         const { width, height } = framing.boundsOf(panel()) ?? { width: 0, height: 0 };
-        reshaping.splitPanel(panel(), width > height ? 'columns' : 'rows');
+        split(width > height ? 'columns' : 'rows');
       },
       undo: 'step',
     },
@@ -230,7 +236,11 @@ export function createPanelActions({
       label: strings.joinPanels,
       icon: 'join',
       why: computed(() => reshaping.cannotJoin(chosen.value)),
-      run: () => reshaping.joinPanels(chosen.peek()),
+      run() {
+        const at = panel();
+        reshaping.joinPanels(chosen.peek());
+        selection.set([at]);
+      },
       undo: 'step',
     },
     frame: FRAME_KEYS,

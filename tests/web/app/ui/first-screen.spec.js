@@ -171,11 +171,14 @@ test('a panel is split and joined with the tools of the selection', async ({ pag
   await panel(page, 1).click();
   await press(page, 'Split panel');
   await expect(page.getByRole('group', { name: /^Panel \d of 5$/ })).toHaveCount(5);
-  await panel(page, 1).click();
+  // The half is still selected, so it can be split again.
+  const title = page.getByRole('toolbar', { name: 'Panel tools' });
+  await expect(title).toContainText('Panel 1 of 5');
   await panel(page, 2).click({ modifiers: ['Shift'] });
   await expect(await reach(page, 'Join panels')).toHaveText('Join panels');
   await press(page, 'Join panels');
   await expect(page.getByRole('group', { name: /^Panel \d of 4$/ })).toHaveCount(4);
+  await expect(title).toContainText('Panel 1 of 4');
 });
 
 test('a preview covers neither Shuffle nor the photos', async ({ page }) => {
