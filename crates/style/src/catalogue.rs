@@ -23,6 +23,9 @@ pub const FAMILIES: [&str; 14] = [
     "paper",
 ];
 
+/// Ids of removed styles in saved projects, each with the style that replaces it.
+const REMOVED: [(&str, &str); 1] = [("painter-ornament", "painter-scent")];
+
 include!(concat!(env!("OUT_DIR"), "/styles.rs"));
 
 /// All designed styles in the order of their file names. A test parses every file; one that does not parse
@@ -46,11 +49,12 @@ pub fn by_family() -> Vec<&'static Style> {
     styles
 }
 
-/// The designed style with this id.
+/// The designed style with this id, or the style that replaces a removed one.
 ///
 /// # Errors
 /// `unknown-style`.
 pub fn find(id: &str) -> Result<&'static Style> {
+    let id = REMOVED.iter().find(|(removed, _)| *removed == id).map_or(id, |(_, successor)| successor);
     catalogue().iter().find(|style| style.id == id).ok_or_else(|| Error::UnknownStyle(id.to_owned()))
 }
 
@@ -66,5 +70,13 @@ mod tests {
             assert!(!style.tags.is_empty(), "{file} has no family");
         }
         assert_eq!(catalogue().len(), STYLE_FILES.len());
+    }
+
+    #[test]
+    fn removed_styles_have_successors() {
+        for (removed, successor) in REMOVED {
+            assert_eq!(find(removed).unwrap().id, successor);
+            assert!(catalogue().iter().all(|style| style.id != removed));
+        }
     }
 }
