@@ -45,6 +45,24 @@ test('a book has every photo once behind its cover, and is one undo step', async
   expect(store.sheets.peek()).toEqual([before]);
 });
 
+test('a text of the user is on one page of a book, and not on its cover', async () => {
+  const { bookMaking, store, book, pages } = await making(14);
+  // The photo of the cover is unknown, so all photos get a text.
+  book.spreadAlbum();
+  const said = store.sheets.peek().map((page, at) => ({
+    at,
+    words: page.panels.map(({ photo }, panel) => ({ kind: 'balloon' as const, text: `${photo}`, photo, panel })),
+  }));
+  store.change({ type: 'set-words', pages: said });
+  await bookMaking.make('one');
+  const texts = store.sheets.peek().map(({ words = [] }) => words.flatMap(({ made, text }) => (made ? [] : [text])));
+  expect(texts[0]).toEqual([]);
+  const all = texts.flat();
+  expect(all.length).toBeGreaterThan(5);
+  expect(new Set(all).size).toBe(all.length);
+  pages.undo();
+});
+
 test('the cover is known wherever it is, and plain pages have none', async () => {
   const { bookMaking, book } = await making(14);
   book.spreadAlbum();

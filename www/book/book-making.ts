@@ -5,7 +5,8 @@ import { timeLimit } from '../engine/scheduler.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { language, strings } from '../strings/strings.ts';
 import type { Signal } from '@preact/signals';
-import type { BookDates, BookStyles, PageDocument } from '../engine/types.ts';
+import type { Sheet } from '../engine/sheets.ts';
+import type { BookDates, BookStyles, PageDocument, Word } from '../engine/types.ts';
 import type { Book } from './book.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
@@ -79,7 +80,7 @@ export function createBookMaking({
       if (!sheets || sheets.length === 0) return;
       last = styles;
       book.replace(
-        sheets.map((sheet) => ({ ...sheet, page: places.marked(sheet.page) })),
+        once(sheets).map((sheet) => ({ ...sheet, page: places.marked(sheet.page) })),
         {
           text: strings.book.made({ n: sheets.length }),
           before: sheetsOf(before),
@@ -107,6 +108,23 @@ export function createBookMaking({
     });
     for (const end of ends) end();
   }
+}
+
+/**
+ * Leaves each text of the user on one page, because cover and end show photos of other pages. The cover has a text only if no
+ * other page has it.
+ */
+function once(sheets: readonly Sheet[]): Sheet[] {
+  const seen = new Set<string>();
+  const keyOf = ({ photo, kind, text }: Word) => JSON.stringify([photo, kind, text]);
+  const wordsOf = ({ page }: Sheet) => {
+    const words = page.words?.filter((word) => word.made || !seen.has(keyOf(word)));
+    for (const word of words ?? []) if (!word.made) seen.add(keyOf(word));
+    return words;
+  };
+  const [cover, ...others] = sheets;
+  const rest = others.map((sheet) => ({ ...sheet, page: { ...sheet.page, words: wordsOf(sheet) } }));
+  return [{ ...cover, page: { ...cover.page, words: wordsOf(cover) } }, ...rest];
 }
 
 /**
