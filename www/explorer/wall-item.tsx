@@ -4,7 +4,6 @@ import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Thumbnail, useInView } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
-import { Priority } from '../engine/queue.ts';
 import { middleOf } from '../photos/cover.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
@@ -34,13 +33,7 @@ function SharpPicture({ item: { style, photo } }: { item: Item }) {
   const { engine } = useApp();
   const scale = 2 / Math.min(2, globalThis.devicePixelRatio || 1);
   const size = { width: Math.round(scale * photo.width), height: Math.round(scale * photo.height) };
-  return (
-    <Thumbnail
-      of={`${style.id} ${photo.id}`}
-      // New styles are as urgent.
-      draw={(call) => engine.photoFile(photo.id, style, size, { ...call, priority: Priority.REST })}
-    />
-  );
+  return <Thumbnail of={`${style.id} ${photo.id}`} draw={(call) => engine.photoFile(photo.id, style, size, call)} />;
 }
 
 /** @returns how a style came from its parents, or from one */
@@ -68,6 +61,9 @@ export function WallItem({
   const { explorer, store } = useApp();
   const tile = useRef(null as HTMLLIElement | null);
   const isInView = useInView(tile);
+  // New styles come before sharp pictures.
+  const isSharp = useRef(false);
+  isSharp.current = isInView && (isSharp.current || explorer.progress.value === null);
   const { style } = item;
   const deeds = useStyleDeeds(style, photo);
   // A tile does not cut the face.
@@ -105,7 +101,7 @@ export function WallItem({
         }}
       >
         <canvas ref={canvas} class="bitmap" aria-hidden="true" />
-        {isInView && <SharpPicture item={item} />}
+        {isSharp.current && <SharpPicture item={item} />}
       </button>
       <p class="wall-name" aria-hidden="true">
         {style.name}
