@@ -138,7 +138,8 @@ function raised(since, counts) {
 
 /** @returns {string[]} controls that a guide prints in bold and the interface does not have */
 function unknownLabels() {
-  const strings = readFileSync(join(ROOT, 'www/strings/messages/en.json'), 'utf8');
+  const catalogues = ['messages', 'names'].map((kind) => join(ROOT, `www/strings/${kind}/en.json`));
+  const strings = catalogues.map((file) => readFileSync(file, 'utf8')).join('\n');
   const known = (/** @type {string} */ label) =>
     [`: ${JSON.stringify(label)}`, `{${label}}`].some((text) => strings.includes(text));
   const guides = files().filter((path) => /^docs\/guide\/[\w-]+\.md$/.test(path));
@@ -146,7 +147,7 @@ function unknownLabels() {
     const labels = [...readFileSync(join(ROOT, path), 'utf8').matchAll(LABEL)].map((match) => match[1]);
     return labels
       .filter((label) => !known(label))
-      .map((label) => `  ${path}: **${label}** is not a message of www/strings/messages/en.json`);
+      .map((label) => `  ${path}: **${label}** is not in an en.json of www/strings/`);
   });
 }
 
