@@ -79,6 +79,7 @@ pub fn find(id: &str) -> Option<&'static Block> {
 
 /// A filter block: data and a function pointer.
 #[derive(Debug)]
+#[allow(clippy::struct_excessive_bools, reason = "independent properties")]
 pub struct Block {
     /// Name in style files.
     pub id: &'static str,

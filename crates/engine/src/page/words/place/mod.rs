@@ -452,7 +452,7 @@ mod tests {
             document.words[0].tail.unwrap().x
         };
         assert!(tip([0.5, 0.02]) < 0.45 && tip([0.02, 0.5]) > 0.55);
-        // Nearly closed lips say nothing.
+        // Nearly closed lips do not count.
         assert!((tip([0.0, 0.05]) - tip([0.05, 0.0])).abs() < 1e-9);
     }
 
