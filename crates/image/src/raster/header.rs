@@ -148,7 +148,7 @@ mod tests {
         let size = Some((900, 1600));
         assert_eq!(webp(b"VP8 ", 26, &[132, 3, 64, 6]), size);
         assert_eq!(webp(b"VP8X", 24, &[131, 3, 0, 63, 6, 0]), size);
-        assert_eq!(webp(b"VP8L", 21, &(899u32 | 1599 << 14).to_le_bytes()), size);
+        assert_eq!(webp(b"VP8L", 21, &(899u32 + (1599 << 14)).to_le_bytes()), size);
         assert_eq!(webp(b"ANIM", 24, &[1]), None);
     }
 
