@@ -133,7 +133,7 @@ test('a block that needs gray adds To GrayScale, and an error offers to add it',
   await openDesigner(page);
   await page.getByRole('button', { name: 'Add block' }).click();
   const palette = page.getByRole('region', { name: 'Blocks to add' });
-  await expect(palette.getByRole('button', { name: /Pattern Filling/ })).toContainText('needs gray');
+  await expect(palette.getByRole('button', { name: /Pattern Filling/ })).toContainText('Comes with Grayscale');
   await palette.getByRole('button', { name: /Pattern Filling/ }).click();
   expect(await names(page)).toEqual(['To GrayScale', 'Pattern Filling']);
   const drawnGray = await preview(page);

@@ -93,7 +93,8 @@ test('a style without its model is drawn with the built-in painters, says so, an
   await choice(page).getByRole('button', { name: 'Remove dropped.onnx from this browser' }).click();
   await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
   await expect(choice(page)).toContainText('dropped.onnx is not in this browser. The built-in painters replace it.');
-  expect(await preview(page)).not.toBe(own);
+  // The message appears before the preview is drawn.
+  await expect.poll(() => preview(page)).not.toBe(own);
   await page.keyboard.press('Escape');
   await expect(region(page)).toHaveCount(0);
   await idle(page);
