@@ -33,8 +33,6 @@ pub(crate) const SURE: f64 = 0.78;
 pub(crate) const MEDIUM: (f64, f64) = (0.3, 0.8);
 /// The least part of a photo that a subject covers which must not be cut.
 const SOME_SIZE: f64 = 0.01;
-/// The part of a body that a crop may show without its head.
-const SOME_BODY: f64 = 0.1;
 /// The upper part of an animal that contains the head.
 const CROWN: f64 = 0.4;
 /// Cost of less room than [`ROOM`] where a face looks, in widths of the crop.
@@ -82,7 +80,7 @@ impl<'a> Judge<'a> {
 
     /// Returns the candidates that break the fewest rules. The rules, in this order: the focus is visible, a face is
     /// included and none is cut. The same holds for heads, also of animals and of people without a known face. No animal is
-    /// cut, and no body is shown without its head. If `wide`, the crop has enough of the photo. No subject is cut, and the enlargement is limited.
+    /// cut. If `wide`, the crop has enough of the photo. No subject is cut, and the enlargement is limited.
     pub(super) fn admitted(&self, candidates: Vec<Crop>, wide: bool) -> Vec<Crop> {
         let most = candidates.iter().map(|crop| crop.width * crop.height).fold(0.0, f64::max);
         let (faces, heads): (Vec<Area>, Vec<Area>) =
@@ -99,14 +97,13 @@ impl<'a> Judge<'a> {
             let people = self.of_size(|subject| subject.label == "person");
             crowns.extend(people.map(|(_, grown)| upper(grown, PERSON_HEAD)));
         }
-        let rules: [&dyn Fn(&Crop) -> bool; 10] = [
+        let rules: [&dyn Fn(&Crop) -> bool; 9] = [
             &|crop| self.holds_focus(crop),
             &|crop| self.shows_focus(crop),
             &|crop| self.spares(crop, &faces),
             &|crop| self.spares(crop, &heads),
             &|crop| self.spares(crop, &crowns),
             &|crop| self.spares(crop, &animals),
-            &|crop| self.shows_heads(crop),
             &|crop| crop.width * crop.height >= least,
             &|crop| self.spares_subjects(crop),
             &|crop| self.enlargement(crop) <= MOST_ENLARGED,
@@ -279,20 +276,6 @@ impl<'a> Judge<'a> {
             kept |= medium || inside >= 0.9;
         }
         kept || !some
-    }
-
-    /// Whether each body in a crop has its head there.
-    fn shows_heads(&self, crop: &Crop) -> bool {
-        let area = self.view.area(crop);
-        let subjects = &self.view.subjects;
-        let whole = self.view.width * self.view.height;
-        let bodies = subjects.iter().zip(&self.roles).filter(|(_, role)| **role == Role::Body);
-        bodies.map(|(subject, _)| subject).all(|(body, person)| {
-            let is_shown =
-                body.width * body.height >= SOME_SIZE * whole && self.inside(area, *body) > SOME_BODY;
-            let mut faces = subjects.iter().filter(|(_, face)| face.label == FACE && person.surrounds(face));
-            !is_shown || faces.any(|(face, _)| self.inside(area, *face) > 0.5)
-        })
     }
 
     /// How much the panel enlarges the crop; at least a tiny number.
