@@ -371,24 +371,21 @@ mod tests {
         assert_eq!(one.title("", &Phrases::of("de").unwrap()).0, "Unsere Fotos");
     }
 
-    #[test]
-    fn hair_above_a_face_counts_as_covered() {
+    /// A photo with a face in a box of `[x, y, width, height]`, and a page that shows all of it.
+    fn portrait([x, y, width, height]: [f64; 4]) -> (PhotoMeta, Document) {
         let mut photo = PhotoMeta::unmeasured("p0", 2000, 3000);
         let (label, points, expression) = (FACE.into(), None, None);
-        photo.find([Subject {
-            label,
-            score: 0.9,
-            x: 0.4,
-            y: 0.3,
-            width: 0.15,
-            height: 0.2,
-            points,
-            expression,
-        }]);
+        photo.find([Subject { label, score: 0.9, x, y, width, height, points, expression }]);
         let request =
             Request { layout: Some("splash".into()), photos: vec![photo.clone()], ..Request::default() };
         let mut page = plan(&request).unwrap();
         page.panels[0].crop = Some(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
+        (photo, page)
+    }
+
+    #[test]
+    fn hair_above_a_face_counts_as_covered() {
+        let (photo, page) = portrait([0.4, 0.3, 0.15, 0.2]);
         let hidden = |across, high| covered(&page, &photo, across, (0.0, high));
         assert!(hidden((0.0, 1.0), 0.25) > 0.05, "the band ends between hair and face");
         assert!(hidden((0.0, 1.0), 0.15) < 1e-9 && hidden((0.7, 1.0), 0.25) < 1e-9);
@@ -397,22 +394,7 @@ mod tests {
     #[test]
     fn a_line_moves_aside_from_a_head_at_the_edge_of_the_page() {
         let at = |x: f64| {
-            let mut photo = PhotoMeta::unmeasured("p0", 2000, 3000);
-            let (label, points, expression) = (FACE.into(), None, None);
-            photo.find([Subject {
-                label,
-                score: 0.9,
-                x,
-                y: 0.1,
-                width: 0.25,
-                height: 0.2,
-                points,
-                expression,
-            }]);
-            let request =
-                Request { layout: Some("splash".into()), photos: vec![photo.clone()], ..Request::default() };
-            let mut page = plan(&request).unwrap();
-            page.panels[0].crop = Some(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
+            let (photo, page) = portrait([x, 0.1, 0.25, 0.2]);
             title(&page, &photo, ("The end", ""), ("en", true))[0].x.unwrap()
         };
         assert!(at(0.7) < 0.4 && at(0.05) > 0.6);
