@@ -61,7 +61,7 @@ const LIGHTS: [(&str, f32, f32); 4] =
 const LINE: u32 = 16;
 
 /// Quality of a JPEG file.
-const QUALITY: u8 = 40;
+const QUALITY: u8 = 34;
 
 fn main() -> Outcome<()> {
     let options = Options::read(std::env::args().skip(1))?;
