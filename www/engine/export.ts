@@ -1,13 +1,13 @@
 /**
  * Pages at print size. The photos are decoded again from their files, each once a page, by as many workers as there
- * are; one worker puts the panels together and encodes. Pages are exported one after the other, because an A4 page
- * takes 35 MB.
+ * are; one worker puts the panels together and encodes.
  */
 
 import { byPanel, frontPictures, panelOf, picturesOf } from './figures.ts';
 import { rotatedFile } from './metadata/rotate.ts';
 import { Priority } from './queue.ts';
 import { givesWebp } from './webp.ts';
+import { overlapped } from './overlap.ts';
 import { buffersOf, failure } from './protocol.ts';
 import type { Rotation } from './metadata/rotate.ts';
 import type { PageDocument, PdfOptions } from './types.ts';
@@ -89,11 +89,10 @@ export function createExports({ run, photos, words, files }: Parts) {
   ): Promise<Blob> {
     const step = stepsOf(documents, call);
     return stoppable(call.signal, async (signal) => {
-      const pages = [];
-      for (const [i, document] of documents.entries()) {
+      const pages = await overlapped(documents, async (document, i) => {
         const made = await pictures(document, { quality, inks: [], signal, step });
-        pages.push({ document, alts: alts[i] ?? [], pictures: made });
-      }
+        return { document, alts: alts[i] ?? [], pictures: made };
+      });
       const pdf = await files.pdf(pages, { ...options, title }, { signal });
       step(1);
       return pdf;
@@ -111,9 +110,8 @@ export function createExports({ run, photos, words, files }: Parts) {
   ): Promise<{ ink: string; blob: Blob }[]> {
     const step = stepsOf(documents, call);
     return stoppable(call.signal, async (signal) => {
-      const pages: { document: PageDocument; alts: readonly string[]; pictures: Picture[] }[] = [];
       let inks: Plates['inks'] = [];
-      for (const [i, page] of documents.entries()) {
+      const pages = await overlapped(documents, async (page, i) => {
         const args = { document: JSON.stringify(page) };
         const found = await run({ op: 'plates', args, priority: Priority.PAGE, signal });
         if (!found || (inks.length > 0 && JSON.stringify(found.inks) !== JSON.stringify(inks)))
@@ -121,8 +119,8 @@ export function createExports({ run, photos, words, files }: Parts) {
         ({ inks } = found);
         const { document } = found;
         const made = await pictures(document, { quality, inks: coloursOf(inks), signal, step });
-        pages.push({ document, alts: alts[i] ?? [], pictures: made });
-      }
+        return { document, alts: alts[i] ?? [], pictures: made };
+      });
       const plates = [];
       for (const [plate, { name }] of inks.entries()) {
         const own = pages.map((page) => ({

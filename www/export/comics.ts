@@ -4,6 +4,7 @@
  */
 
 import { language, strings } from '../strings/strings.ts';
+import { drawnPages } from './drawn-pages.ts';
 import { FORMATS, pictureIn } from './formats.ts';
 import { describePanel } from '../page/describing.ts';
 import { archiveOf } from '../engine/archive.ts';
@@ -68,15 +69,9 @@ export function createComics({
     return new Blob([await archiveOf(entries)], { type });
   }
 
-  /** Pages are drawn one by one. Each has the same share of the progress. */
-  async function drawn(documents: readonly PageDocument[], kind: PictureKind, quality: number, how: Work) {
+  function drawn(documents: readonly PageDocument[], kind: PictureKind, quality: number, how: Work) {
     const draw = kind === 'webp' ? engine.exportWebp : engine.exportJpeg;
-    const pictures: Blob[] = [];
-    for (const [i, document] of documents.entries()) {
-      const onProgress = (done: number, total: number) => how.onProgress(i + done / total, documents.length);
-      pictures.push(await draw(document, { ...how, onProgress, quality }));
-    }
-    return pictures;
+    return drawnPages(documents, how, (document, page) => draw(document, { ...page, quality }));
   }
 
   /** The metadata files of a comic archive, for comic libraries and readers. */

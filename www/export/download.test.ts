@@ -39,12 +39,12 @@ function app(engine: Record<string, any> = {}, animatics: Record<string, any> = 
   return { download, messages, store };
 }
 
-test('pages stand in an archive in their order, each made after the one before', async () => {
-  let busy = 0;
+test('pages are in an archive in their order, and at most two are drawn at the same time', async () => {
+  let [busy, most] = [0, 0];
   const exportJpeg = async (document: any, { quality }: any) => {
     busy += 1;
+    most = Math.max(most, busy);
     await Promise.resolve();
-    expect(busy).toBe(1);
     busy -= 1;
     return new Blob([`${document.seed} at ${quality}`]);
   };
@@ -54,6 +54,7 @@ test('pages stand in an archive in their order, each made after the one before',
   ];
   const { download, messages } = app({ exportJpeg, comicFiles });
   await download.saveAs({ pages: [page(1), page(2), page(3)], format: 'cbz', inside: 'jpeg', quality: 70 });
+  expect(most).toBe(2);
   expect(saved.map(({ name }) => name)).toEqual(['Untitled.cbz']);
   const entries = [...(await readArchive(saved[0].blob)).values()];
   expect(entries.map(({ name }) => name)).toEqual(['page-01.jpg', 'page-02.jpg', 'page-03.jpg', 'ComicInfo.xml']);
@@ -118,7 +119,7 @@ test('an HTML comic has the pictures that move behind those of its pages, and te
   expect(await Promise.all(saved.map(({ blob }) => blob.text()))).toEqual([`${stills} data:image/webp,moves`, stills]);
 });
 
-test('an HTML comic has its pictures where the core says, with progress from page to page', async () => {
+test('an HTML comic has its pictures where the core says, with progress of all pages', async () => {
   const made: any[] = [];
   const draw =
     (kind: string) =>
@@ -141,7 +142,7 @@ test('an HTML comic has its pictures where the core says, with progress from pag
     ['webp', 1, 80],
     ['webp', 2, 80],
   ]);
-  expect(seen).toEqual([0.25, 0.75]);
+  expect(seen).toEqual([0.25, 0.5]);
   expect(saved[0].name).toMatch(/\.html$/);
   expect(await saved[0].blob.text()).toBe('<img src="data:image/webp,1"><img src="data:image/webp,2"> webp');
 });

@@ -2,6 +2,7 @@
 
 import { strings } from '../strings/strings.ts';
 import { createComics } from './comics.ts';
+import { drawnPages } from './drawn-pages.ts';
 import { FORMATS, isArchive, isBook, isFilm, isList, pageName } from './formats.ts';
 import { archiveOf } from '../engine/archive.ts';
 import { describePanel } from '../page/describing.ts';
@@ -82,13 +83,10 @@ export function createMaking({
     if (format === 'pdf') return printed(documents, print, quality, how);
     if (isBook(format)) return comics.book(format, documents, quality, how, living);
     if (!isArchive(format)) return picture(documents[0], format as 'png' | 'jpeg' | 'webp', quality, how, carry);
-    const entries = [];
-    for (const [i, document] of documents.entries()) {
-      // Each page has the same share of the progress.
-      const onProgress = (done: number, total: number) => how.onProgress(i + done / total, documents.length);
-      const blob = await picture(document, inside, quality, { ...how, onProgress }, async (png) => png);
-      entries.push({ name: pageName(i, documents.length, inside), blob });
-    }
+    const pictures = await drawnPages(documents, how, (document, page) =>
+      picture(document, inside, quality, page, async (png) => png),
+    );
+    const entries = pictures.map((blob, i) => ({ name: pageName(i, pictures.length, inside), blob }));
     if (format === 'cbz') entries.push(...(await comics.about(documents, inside, how)));
     const project = await beside(how);
     if (project) entries.push(project);
