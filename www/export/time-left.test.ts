@@ -8,12 +8,12 @@ test('the time left follows the speed of the last seconds', () => {
     at = ms;
     return left(done, 100);
   };
-  // Too early, or nothing is done.
-  expect([after(500, 1), after(2900, 3), after(3100, 0)]).toEqual([null, null, null]);
-  // One percent per second.
-  expect(after(10_000, 10)).toBe(90);
+  // Nothing is done, or too little since the first step, which is slow.
+  expect([after(4000, 0), after(10_000, 2), after(12_000, 6), after(14_000, 4)]).toEqual([null, null, null, null]);
+  // One percent per second since the first step.
+  expect(after(20_000, 12)).toBe(90);
   // Five percent per second: the slow beginning is forgotten.
-  for (let second = 11; second <= 26; second += 1) after(second * 1000, 10 + (second - 10) * 5);
-  expect(after(27_000, 95)).toBe(5);
-  expect(after(28_000, 100)).toBe(null);
+  for (let second = 21; second <= 36; second += 1) after(second * 1000, 12 + (second - 20) * 5);
+  expect(after(37_000, 95)).toBe(5);
+  expect(after(38_000, 100)).toBe(null);
 });
