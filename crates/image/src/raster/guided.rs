@@ -38,10 +38,49 @@ pub fn steepen(mask: &mut Plane, by: i32) {
 /// The mean of the window of each pixel of a mask.
 #[must_use]
 pub fn softened(mask: &Plane, radius: usize) -> Plane {
-    where_uneven(mask, radius, &|part| {
-        let shares: Vec<[f32; 1]> = part.of(mask).map(|share| [f32::from(share)]).collect();
-        means(&shares, part.size(), radius).iter().map(|[mean]| (mean + 0.5) as u8).collect()
-    })
+    let (width, height) = (mask.width(), mask.height());
+    let reach = |at: usize, length: usize| (at.saturating_sub(radius), (at + radius + 1).min(length));
+    let part = |(from, to): (usize, usize)| 1.0 / (to - from) as f64;
+    let across: Vec<f64> = (0..width).map(|x| part(reach(x, width))).collect();
+    // Sums of columns over the rows of the window, and of all columns before each. The sum of a window is a
+    // difference, so it is correct even if the sum of all columns wraps around.
+    let mut columns = vec![0_u32; width];
+    let mut sums = vec![0_u32; width + 1];
+    let mut out = mask.clone();
+    let mut held = 0..0;
+    for y in 0..height {
+        let (top, bottom) = reach(y, height);
+        for y in held.end..bottom {
+            columns.iter_mut().zip(mask.row(y)).for_each(|(sum, &share)| *sum += u32::from(share));
+        }
+        for y in held.start..top {
+            columns.iter_mut().zip(mask.row(y)).for_each(|(sum, &share)| *sum -= u32::from(share));
+        }
+        held = top..bottom;
+        let mut all = 0_u32;
+        for (sum, &column) in sums[1..].iter_mut().zip(&columns) {
+            all = all.wrapping_add(column);
+            *sum = all;
+        }
+        let down = part((top, bottom));
+        let mean = |left: u32, right: u32, across: f64| {
+            ((f64::from(right.wrapping_sub(left)) * (across * down)) as f32 + 0.5) as u8
+        };
+        let row = out.row_mut(y);
+        // Windows that are not cut off, and those on the left and on the right.
+        let middle = radius.min(width)..width.saturating_sub(radius).max(radius.min(width));
+        for x in (0..middle.start).chain(middle.end..width) {
+            let (left, right) = reach(x, width);
+            row[x] = mean(sums[left], sums[right], across[x]);
+        }
+        if let Some(&across) = across.get(middle.start) {
+            let windows = sums.iter().zip(sums.get(2 * radius + 1..).unwrap_or_default());
+            for (share, (&left, &right)) in row[middle].iter_mut().zip(windows) {
+                *share = mean(left, right, across);
+            }
+        }
+    }
+    out
 }
 
 /// `mask` filtered by `guide`, which is of the same size.
@@ -199,10 +238,19 @@ mod tests {
         let all = Part { x: 0..width, y: 0..height };
         let whole = guided_part((&guide, &mask), &all, radius, EPSILON);
         assert!(guided(&guide, &mask, radius, EPSILON).samples() == whole);
-        let shares: Vec<[f32; 1]> = mask.samples().iter().map(|share| [f32::from(*share)]).collect();
-        let soft = means(&shares, (width, height), radius);
-        let soft: Vec<u8> = soft.iter().map(|[mean]| (mean + 0.5) as u8).collect();
-        assert!(softened(&mask, radius).samples() == soft);
+    }
+
+    #[test]
+    fn softened_planes_are_means_of_windows() {
+        for (width, height, radius) in
+            [(300, 211, 5), (40, 30, 20), (12, 70, 9), (5, 5, 8), (1, 1, 0), (9, 1, 4)]
+        {
+            let mask = Plane::from_fn(width, height, |x, y| ((x * 7919 + y * 104_729) % 251) as u8);
+            let shares: Vec<[f32; 1]> = mask.samples().iter().map(|share| [f32::from(*share)]).collect();
+            let means = means(&shares, (width, height), radius);
+            let soft: Vec<u8> = means.iter().map(|[mean]| (mean + 0.5) as u8).collect();
+            assert!(softened(&mask, radius).samples() == soft, "{width} x {height}, radius {radius}");
+        }
     }
 
     #[test]
