@@ -53,21 +53,23 @@ pub fn cut(
     let right = (area.x + area.width as i64).min(image.x + image.width as i64);
     let bottom = (area.y + area.height as i64).min(image.y + image.height as i64);
     let (width, height) = ((right - left).max(1) as usize, (bottom - top).max(1) as usize);
-    let rows = (0..height).map(|y| {
+    let row = |y: usize| {
         let from = ((top - area.y) as usize + y) * area.width + (left - area.x) as usize;
         rgba.get(from * 4..(from + width) * 4).unwrap_or(&[])
+    };
+    let visible = (0..height).map(row).collect::<Vec<_>>().concat();
+    let alpha = (index >= panels.len()).then(|| {
+        let shares: Vec<u8> = visible.chunks_exact(4).map(|pixel| pixel[3]).collect();
+        compress_to_vec_zlib(&shares, 6)
     });
-    let pixels =
-        || rows.clone().flat_map(|row| row.chunks_exact(4)).map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+    let colours = || visible.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+    let gray = || colours().all(|[r, g, b]| r == g && g == b);
     let samples: Vec<u8> = match plate {
-        Some((separation, ink)) => pixels().map(|rgb| 255 - separation.cover(rgb, ink)).collect(),
-        None if pixels().all(|[r, g, b]| r == g && g == b) => pixels().map(|[gray, ..]| gray).collect(),
-        None => pixels().flatten().collect(),
+        Some((separation, ink)) => colours().map(|rgb| 255 - separation.cover(rgb, ink)).collect(),
+        None if gray() => colours().map(|[gray, ..]| gray).collect(),
+        None => visible,
     };
     let jpeg = jpeg::encode_part(width, height, &samples, document.page.dpi, quality)?;
-    let alpha =
-        || rows.clone().flat_map(|row| row.chunks_exact(4)).map(|pixel| pixel[3]).collect::<Vec<u8>>();
-    let alpha = (index >= panels.len()).then(|| compress_to_vec_zlib(&alpha(), 6));
     Ok(Picture { index, area: PixelRect { x: left, y: top, width, height }, jpeg, alpha })
 }
 
