@@ -14,7 +14,7 @@ const ten = Array.from({ length: 10 }, (_, i) => `${i}.jpg`);
  */
 async function app(people: readonly string[], asleep: readonly string[] = []) {
   const made = fakeApp();
-  const { store, pages, planner, reading, files } = made;
+  const { store, pages, messages, planner, reading, files } = made;
   orderByName({ store });
   // The planner chooses photos with subjects, and keeps the order of the others.
   planner.planned = (page, { type }) => {
@@ -33,7 +33,7 @@ async function app(people: readonly string[], asleep: readonly string[] = []) {
   const window = new EventTarget();
   const clock = { now: 20_000 };
   const { keepShown } = reading;
-  planAgain({ store, pages, composed, searched, keepShown, window: window as Window, now: () => clock.now });
+  planAgain({ store, pages, messages, composed, searched, keepShown, window: window as Window, now: () => clock.now });
   const find = () => {
     for (const fact of store.facts.value) {
       const face = { ...FACE, expression: expression(asleep.includes(fact.name) ? 0.1 : 0.3) };
@@ -49,15 +49,26 @@ async function app(people: readonly string[], asleep: readonly string[] = []) {
   return { ...made, composed, searched, window, clock, find, search, names };
 }
 
-test('a better choice of photos replaces the first page, in its layout and style, without a step', async () => {
-  const { store, search, names } = await app(['8.jpg', '9.jpg']);
-  const before = store.page.value;
+test('a better choice of photos replaces the first page, in its layout and style, and can be undone', async () => {
+  const { store, pages, messages, search, names } = await app(['8.jpg', '9.jpg']);
+  const [before, first] = [store.page.value, names()];
   expect(names()).not.toContain('9.jpg');
   search();
   expect(names()).toEqual(expect.arrayContaining(['8.jpg', '9.jpg']));
   expect([store.page.value?.layout, store.page.value?.style]).toEqual([before?.layout, before?.style]);
-  expect(store.history.value.past).toEqual([]);
-  expect(store.history.value.shown.length).toBe(1);
+  expect(store.versions.value.length).toBe(2);
+  expect(messages.list.value.length).toBe(1);
+  pages.undo();
+  expect(names()).toEqual(first);
+});
+
+test('a page that was hardly visible is replaced without a step', async () => {
+  const { store, messages, clock, search, names } = await app(['8.jpg', '9.jpg']);
+  clock.now = 900;
+  search();
+  expect(names()).toContain('9.jpg');
+  expect([store.history.value.past, messages.list.value]).toEqual([[], []]);
+  expect(store.versions.value.length).toBe(1);
 });
 
 test('it is replaced once at most', async () => {
@@ -129,13 +140,12 @@ function chooseByEyes(planner: { choose: (photos: any[]) => any[] }) {
 }
 
 test('a near-duplicate with open eyes replaces a photo of the first page', async () => {
-  const { store, planner, search, names } = await app(['0.jpg', '9.jpg'], ['0.jpg']);
+  const { planner, search, names } = await app(['0.jpg', '9.jpg'], ['0.jpg']);
   chooseByEyes(planner);
   expect(names()).toContain('0.jpg');
   search();
   expect(names()).toContain('9.jpg');
   expect(names()).not.toContain('0.jpg');
-  expect(store.history.value.past).toEqual([]);
 });
 
 test('a page that the user has touched keeps its photo with shut eyes in use', async () => {
@@ -173,7 +183,6 @@ test('a page of a video gets other shots when the video is read, before the dete
   store.reading.value = null;
   expect(names()).not.toEqual(before);
   expect(new Set(store.page.value?.panels.map(({ photo }) => store.album.value.get(String(photo))?.shot)).size).toBe(6);
-  expect(store.history.value.past).toEqual([]);
 });
 
 test('a page of a video without repeated shots waits for the detection', async () => {

@@ -1,23 +1,29 @@
 /**
  * Plans the first page once more. The first page is composed when a few photos are read, so it may show receipts or
  * empty landscapes that came first. After all photos are read and searched, a page with a better choice of photos
- * replaces it once, in the same layout and style. A near-duplicate with open eyes also replaces one with shut eyes. A page
+ * replaces it once, in the same layout and style. A page that was visible for a moment remains as a version, and the
+ * replacement can be undone. A near-duplicate with open eyes also replaces one with shut eyes. A page
  * of a video that repeats shots also changes, because the shots are known when the video has been read. Any
  * action of the user keeps the page.
  */
 
+import type { ReadonlySignal, Signal } from '@preact/signals';
 import { effect, untracked } from '@preact/signals';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
 import { photosOn } from '../engine/sheets.ts';
+import type { PageDocument } from '../engine/types.ts';
+import { strings } from '../strings/strings.ts';
+import type { Messages } from '../ui/messages.ts';
 import { rankOf } from './hero.ts';
 import { onePerShot, shotOf } from './one-per-shot.ts';
 import { pagesOfText } from './pages-of-text.ts';
-import type { ReadonlySignal, Signal } from '@preact/signals';
-import type { Pages } from '../document/pages.ts';
-import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/types.ts';
+import { noteWithUndo } from './undo-note.ts';
 
 /** Maximum age in milliseconds of the first page. An older page does not change without the user. */
 const OLDEST = 60_000;
+/** Minimum time on the screen, in milliseconds. A younger page was not looked at, so it is replaced without a step. */
+const LOOK = 1000;
 /** Minimum gain in points: a person on the page, or an animal in the largest panel. */
 const LEAST_GAIN = 2;
 /** Points of a page of text, such as a receipt. */
@@ -32,6 +38,7 @@ const ACTS = ['pointerdown', 'keydown', 'wheel'];
 export function planAgain({
   store,
   pages,
+  messages,
   composed,
   searched,
   keepShown,
@@ -39,7 +46,8 @@ export function planAgain({
   now = () => performance.now(),
 }: {
   store: Store;
-  pages: Pick<Pages, 'compose'>;
+  pages: Pick<Pages, 'compose' | 'undo'>;
+  messages: Messages;
   composed: Signal<{ version: string; at: number } | null>;
   searched: ReadonlySignal<boolean>;
   keepShown: () => void;
@@ -66,10 +74,11 @@ export function planAgain({
     if (isEarly && (tried === own || untracked(() => repeatsOf(store.page.peek())) === 0)) return;
     tried = own;
     if (!isEarly) forget();
-    if (now() - at <= OLDEST) untracked(() => replace({ isEarly }));
+    const age = now() - at;
+    if (age <= OLDEST) untracked(() => replace({ isEarly, silent: age < LOOK }));
   });
 
-  function replace({ isEarly }: { isEarly: boolean }) {
+  function replace({ isEarly, silent }: { isEarly: boolean; silent: boolean }) {
     const page = store.page.peek();
     const exchanged = !isEarly && page !== null && useOpenEyes(page);
     const all = store.photos.peek();
@@ -78,10 +87,11 @@ export function planAgain({
     const { layout, style, panels } = page;
     const wish = { photos: photos.map(({ id }) => id), layout, style, panels: panels.length, surprise: 0 };
     pages.compose(wish, {
-      silent: true,
+      silent,
       accepts: (better) =>
         exchanged || repeatsOf(better) < repeatsOf(page) || (!isEarly && worthOf(better) >= worthOf(page) + LEAST_GAIN),
     });
+    if (!silent && store.page.peek() !== page) noteWithUndo({ messages, store, pages }, strings.betterPhotos);
   }
 
   /**

@@ -1,12 +1,16 @@
 import { effect } from '@preact/signals';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
 import { strings } from '../strings/strings.ts';
-import type { App } from '../ui/context.ts';
+import type { Messages } from '../ui/messages.ts';
+
+type Parts = { messages: Messages; store: Pick<Store, 'step'>; pages: Pick<Pages, 'undo'> };
 
 /**
  * Shows a message about the last action, with an undo button. The message closes after another step or undo, because
  * its button would undo something else.
  */
-export function noteWithUndo({ messages, store, pages }: Pick<App, 'messages' | 'store' | 'pages'>, text: string) {
+export function noteWithUndo({ messages, store, pages }: Parts, text: string) {
   const id = messages.note(text, { label: strings.undo, run: pages.undo });
   const step = store.step.peek();
   const stop = effect(() => {

@@ -164,7 +164,7 @@ impl Planning<'_> {
                     surprise: *surprise,
                     ..self.drawn(page, Keep::default(), draw)
                 };
-                Ok(self.plan(request, Some(own))?.map(Outcome::Changed))
+                Ok(self.plan(request, Some(own))?.map(Outcome::Shown))
             }
             Intent::AddPage { draw } => {
                 let Some(page) = self.another(&mut Seeds::new(u64::from(draw.seed)))? else {

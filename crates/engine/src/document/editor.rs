@@ -92,6 +92,10 @@ impl Editor {
         let edits = match self.outcome(intent, photos)? {
             None => return Ok(false),
             Some(Outcome::Changed(page)) => vec![Edit::ChangePage { page: pages::planned(page)? }],
+            // Without an undo step, the page stays the same version.
+            Some(Outcome::Shown(page)) if how.silent => {
+                vec![Edit::ChangePage { page: pages::planned(page)? }]
+            }
             Some(Outcome::Shown(page)) => {
                 let page_id = self.history.fresh_page_id();
                 vec![Edit::ShowPage { page: pages::planned(page)?, page_id }]
