@@ -78,6 +78,8 @@ export function WallItem({
     canvas.current.getContext('2d')?.drawImage(bitmap, 0, 0);
   }, [style.id, item.photo.id]);
 
+  // The hint asks for the second parent.
+  const isChosen = explorer.parent.value !== null && photo !== null && !parent;
   const origin = family === 'parent' ? strings.parent : parents && originOf(parents[0].name, parents[1].name);
   return (
     <li
@@ -93,11 +95,12 @@ export function WallItem({
         type="button"
         class="wall-picture"
         style={{ '--middle': middle.map((part) => `${Math.round(part * 100)}%`).join(' ') }}
-        aria-label={strings.enlarge({ name: style.name })}
+        aria-label={(isChosen ? strings.chooseParent : strings.enlarge)({ name: style.name })}
         {...pointing(style.id, point)}
         onClick={() => {
           point(null);
-          explorer.enlarged.value = style.id;
+          if (isChosen) deeds.breed();
+          else explorer.enlarged.value = style.id;
         }}
       >
         <canvas ref={canvas} class="bitmap" aria-hidden="true" />
