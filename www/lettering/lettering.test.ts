@@ -64,8 +64,12 @@ describe('words', () => {
       },
     ]);
     expect([lettering.chosen.value, past() - before]).toEqual([0, 1]);
+    // The next one goes to the panel of the chosen one, and without a choice to a panel without text.
     await lettering.add('caption');
-    expect(lettering.words.value[1].panel).toBe(1);
+    lettering.choose(-1);
+    await lettering.add('effect');
+    expect(lettering.words.value.map(({ panel }) => panel)).toEqual([0, 0, 1]);
+    pages.undo();
     pages.undo();
     pages.undo();
     expect(lettering.words.value).toEqual([]);

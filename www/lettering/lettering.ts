@@ -137,7 +137,8 @@ export function createLettering({
   }
 
   /**
-   * Adds a text item to the selected panel. Without a selection, it goes to the first panel without text.
+   * Adds a text item to the selected panel, or to the panel of the selected text item. Without a selection, it goes to the
+   * first panel without text.
    * @returns whether it is there
    */
   async function add(kind: Word['kind']): Promise<boolean> {
@@ -145,7 +146,8 @@ export function createLettering({
     if (!page) return false;
     const busy = new Set(words.peek().map(({ panel }) => panel));
     const free = page.panels.findIndex((_, i) => !busy.has(i));
-    const panel = selection.panels.peek()[0] ?? Math.max(0, free);
+    const beside = words.peek()[chosen.peek()]?.panel;
+    const panel = selection.panels.peek()[0] ?? beside ?? Math.max(0, free);
     const added = await addAll([
       {
         kind,

@@ -105,6 +105,7 @@ export function createTextActions({ ui, lettering }: Pick<App, 'ui' | 'lettering
     remove: {
       label: strings.removeWord,
       icon: 'bin',
+      keys: ['Delete', 'Backspace'],
       enabled,
       run: () => lettering.remove(chosen.peek()),
       undo: 'step',
