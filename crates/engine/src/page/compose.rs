@@ -16,6 +16,7 @@ use crate::layout::Bounds;
 use crate::raster::Image;
 use crate::raster::balance::{Balance, is_gray, toned};
 use crate::raster::enlarge::enlarged;
+use crate::raster::grain::without_grain;
 use crate::raster::resize::{Region, resample_image};
 use crate::style::faces::FaceBox;
 use crate::style::part::subject_in;
@@ -152,6 +153,11 @@ pub fn mix(under: &mut [u8], over: &[u8], share: u32) {
     }
 }
 
+/// Photo pixels per pixel of a style at which grain begins to be removed, and at which it is removed completely.
+const GRAIN: (f64, f64) = (0.5, 0.3);
+/// Pixels around the shown part of a photo that its filter and its enlargement use.
+const GRAIN_ROOM: usize = 8;
+
 /// Gray of a panel that has no photo yet.
 pub(super) const EMPTY: [u8; 3] = [226, 226, 228];
 
@@ -188,10 +194,12 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     let region = Region { x: left, y: top, width: region_width, height: region_height };
     // Photo pixels per page pixel.
     let share = (region.width / inner.width as f64).min(region.height / inner.height as f64);
+    let clean = (!panel.plain).then(|| cleaned(photo, region, share * f64::from(scene.scale))).flatten();
+    let (source, part) = clean.as_ref().map_or((photo, region), |(clean, part)| (clean, *part));
     let mut image = if share < scene.enlarge_below && !panel.plain {
-        enlarged(photo, region, inner.width, inner.height)
+        enlarged(source, part, inner.width, inner.height)
     } else {
-        resample_image(photo, region, inner.width, inner.height)
+        resample_image(source, part, inner.width, inner.height)
     };
     if scene.balanced && !panel.plain {
         let faces: Vec<[f64; 4]> =
@@ -212,6 +220,23 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     let mirrored = |image: &Image| bleed::mirrored(image, (before, above), at);
     let subject = subject.map(|plane| mirrored(&Image::from_luma(plane)).into_parts().0.swap_remove(0));
     Shown { image: mirrored(&image), subject, region, at }
+}
+
+/// The part of a photo with less grain, and its region in that part. `None` for a photo with enough pixels. `share`: photo
+/// pixels per pixel of a style, which does not depend on the size of the page.
+fn cleaned(photo: &Image, region: Region, share: f64) -> Option<(Image, Region)> {
+    let amount = ((GRAIN.0 - share) / (GRAIN.0 - GRAIN.1)).clamp(0.0, 1.0);
+    if amount <= 0.0 {
+        return None;
+    }
+    let span = |start: f64, length: f64, side: usize| {
+        let from = (start.floor() as usize).saturating_sub(GRAIN_ROOM);
+        (from as f64, (((start + length).ceil() as usize + GRAIN_ROOM).min(side) - from) as f64)
+    };
+    let (x, width) = span(region.x, region.width, photo.width());
+    let (y, height) = span(region.y, region.height, photo.height());
+    let part = resample_image(photo, Region { x, y, width, height }, width as usize, height as usize);
+    Some((without_grain(&part, amount as f32), Region { x: region.x - x, y: region.y - y, ..region }))
 }
 
 /// The stylised image of a panel. A merged group is stylised as one image, so that tones match across the

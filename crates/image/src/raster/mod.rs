@@ -17,6 +17,7 @@ pub mod enlarge;
 mod exif;
 #[cfg(feature = "rare")]
 mod gif;
+pub mod grain;
 pub mod guided;
 #[cfg(feature = "decode")]
 pub mod header;
