@@ -134,7 +134,7 @@ test('dialogue, captions and sounds of the pages have a column each, and a label
 
 test('Export begins with the storyboard on its view, and with the comic elsewhere', async ({ page }) => {
   await openBoard(page);
-  const checked = (/** @type {import('../support.js').Locator} */ dialog) =>
+  const checked = (/** @type {import('../../../../www/testing.ts').Locator} */ dialog) =>
     dialog
       .getByRole('radio', { checked: true })
       .evaluateAll((all) => all.map((radio) => radio.closest('label')?.textContent));
