@@ -124,7 +124,9 @@ export function ExportDialog() {
         <div class="export">
           <div class="export-preview">
             <div class="export-sheet" style={{ '--aspect': aspect }}>
-              {document && <Bitmap of={onBoard ? document : size} draw={(call) => engine.renderPage(document, drawnWidth, call)} />}
+              {document && (
+                <Bitmap of={onBoard ? document : size} draw={(call) => engine.renderPage(document, drawnWidth, call)} />
+              )}
             </div>
           </div>
           <div class="export-choices">
