@@ -27,7 +27,7 @@ export function createDownloadActions({
       icon: 'export',
       enabled: computed(() => store.page.value !== null),
       run: () => {
-        // The dialog begins with what is on view.
+        // The dialog begins with the sheets on the storyboard.
         if (ui.work.peek() === 'boards' && boards.rows.peek().length > 0) exportChoice.asked.value = 'boardPdf';
         ui.dialog.value = 'export';
       },
