@@ -206,8 +206,11 @@ export type Explored = {
   bitmap: ImageBitmap;
 };
 
-/** The parts of the pixels of an image that are pure white and pure black. */
-export type Clipped = { white: number; black: number };
+/**
+ * The parts of the pixels of an image that are pure white and pure black, and that have nearly its own lightest and darkest
+ * tone.
+ */
+export type Clipped = { white: number; black: number; lightest: number; darkest: number };
 
 /** Result of `import`: the measurements of a photo, and its two reduced copies. */
 export type Imported = {

@@ -6,12 +6,15 @@ import { mentionsPainter, paintersFile } from './painters.ts';
 import type { Sitter } from '../pkg-imitation/inkpanel.js';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
 import type { Designed } from './design.ts';
-import type { BitmapPatch, Explored, Operations, PhotoHandle } from './protocol.ts';
+import type { BitmapPatch, Clipped, Explored, Operations, PhotoHandle } from './protocol.ts';
 import type { Answer } from './serving.ts';
 import type { Style } from './types.ts';
 
 /** Minimum channel value of pure white, and maximum channel value of pure black. */
 const [PURE_WHITE, PURE_BLACK] = [251, 4];
+/** Grey steps from the lightest or darkest tone of an image, and the part of the pixels that may be beyond that tone. */
+const [NEAR_END, FEW] = [10, 0.005];
+const NOT_CLIPPED: Clipped = { white: 0, black: 0, lightest: 0, darkest: 0 };
 
 export function createStyleOperations({
   studio,
@@ -116,7 +119,7 @@ export function createStyleOperations({
         const { score, novelty, fault, look, signature } = found;
         const patch = found.patch();
         found.free();
-        let clipped = { white: 0, black: 0 };
+        let clipped = NOT_CLIPPED;
         const { ok } = await bitmap(patch, (data) => {
           clipped = clippedParts(data);
         });
@@ -127,14 +130,24 @@ export function createStyleOperations({
   }
 }
 
-/** The parts of the pixels that are pure white and pure black, up to a few steps. */
-export function clippedParts(data: ArrayLike<number>): { white: number; black: number } {
+/** The parts of the pixels of an image with extreme tones, up to a few steps. */
+export function clippedParts(data: ArrayLike<number>): Clipped {
   let [white, black] = [0, 0];
+  const tones = new Uint32Array(256);
   for (let at = 0; at < data.length; at += 4) {
     const [r, g, b] = [data[at], data[at + 1], data[at + 2]];
     white += Number(Math.min(r, g, b) >= PURE_WHITE);
     black += Number(Math.max(r, g, b) <= PURE_BLACK);
+    tones[Math.round(0.299 * r + 0.587 * g + 0.114 * b)] += 1;
   }
   const pixels = Math.max(1, data.length / 4);
-  return { white: white / pixels, black: black / pixels };
+  const [darkest, lightest] = [endOf(tones, pixels), endOf(tones.slice().reverse(), pixels)];
+  return { white: white / pixels, black: black / pixels, lightest, darkest };
+}
+
+/** The part of the pixels whose tone is near the first tone of an image. A few pixels do not count as its first tone. */
+function endOf(tones: Uint32Array, pixels: number): number {
+  let [first, sum] = [0, tones[0]];
+  while (sum < FEW * pixels) sum += tones[(first += 1)];
+  return tones.subarray(0, first + NEAR_END + 1).reduce((all, count) => all + count, 0) / pixels;
 }

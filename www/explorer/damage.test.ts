@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { damageOf, harshness } from './damage.ts';
+import { damageOf, harshness, isClipped } from './damage.ts';
+import { clippedParts } from '../engine/style-operations.ts';
 import { colourName } from './naming.ts';
 
 /** 12 by 9 cells. */
@@ -72,6 +73,26 @@ test('a face that fades against the photo is lost, and noise is found', () => {
   expect(damageOf({ energy, subjects: [] }, steps(90), steps(40))).toBe('burnt');
   // Without the photo, the checks do not know what is missing.
   expect(damageOf({ energy, subjects: [face] }, faceOf([120, 90, 80, 20]))).toBe('');
+});
+
+test('a picture of a dark photo without its middle tones is clipped, in any colours', () => {
+  /** Pixels of a ramp, in the colours of a tone from 0 to 1. */
+  const drawn = (colour: (tone: number) => number[]) =>
+    clippedParts(Array.from({ length: 1000 }, (_, i) => [...colour(i / 1000), 255]).flat());
+  // Most tones of the photo are dark.
+  const photo = drawn((tone) => Array(3).fill(200 * tone ** 2));
+  expect([photo.darkest, photo.lightest].map((part) => Math.round(10 * part))).toEqual([2, 0]);
+  const clipped = (look: string, colour: (tone: number) => number[]) =>
+    isClipped({ clipped: drawn(colour), look }, photo);
+  expect(clipped('flat', (tone) => [80 + 150 * tone ** 2, 40 + 100 * tone, 20])).toBe(false);
+  // Dark green shadows below three quarters of the tones, and yellow above.
+  const harsh = (tone: number) => (tone < 0.75 ? [0, 40, 20] : [200, 120 + 100 * tone, 90]);
+  expect(clipped('flat', harsh)).toBe(true);
+  // Two tones are a drawing of lines if few pixels are dark.
+  const twoTones = (dark: number) => (tone: number) => (tone < dark ? [20, 20, 60] : [250, 240, 220]);
+  expect(clipped('wild', twoTones(0.2))).toBe(true);
+  expect(clipped('line', twoTones(0.2))).toBe(false);
+  expect(clipped('line', twoTones(0.6))).toBe(true);
 });
 
 test('names say the colour, and no two styles share one', () => {

@@ -33,6 +33,12 @@ const [LOST_BLACK, LOST_WHITE] = [22, 236];
 /** The part of the pixels that a style may make pure white, pure black, or one of them. Line drawings are mostly paper. */
 const MOST_CLIPPED = { white: 0.18, black: 0.2, both: 0.25 };
 const MOST_CLIPPED_LINES = { white: 0.85, black: 0.4, both: 0.95 };
+/**
+ * The part of the pixels that a style may give the lightest or the darkest tone of its picture, in any colour. Line drawings are
+ * mostly paper, so only their dark areas count.
+ */
+const MOST_ENDS = 0.35;
+const MOST_DARK_LINES = 0.2;
 /** Minimum roughness of a face, in roughnesses of the face in the photo; of a face that became lighter; and the steps of that. */
 const [FEATURES, LIGHT_FEATURES, LIGHTER] = [0.6, 0.8, 10];
 
@@ -75,14 +81,18 @@ export function damageOf(
 }
 
 /**
- * Whether a style makes too many pixels of a photo pure white or pure black.
+ * Whether a style makes too many pixels of a photo pure white or pure black, or loses its tones between the lightest and the
+ * darkest one. Dark photos lose them first.
  * @param plain of the photo without a style
  */
 export function isClipped(
-  { clipped: { white, black }, look }: Pick<Explored, 'clipped' | 'look'>,
-  plain: Clipped = { white: 0, black: 0 },
+  { clipped: { white, black, lightest, darkest }, look }: Pick<Explored, 'clipped' | 'look'>,
+  plain: Clipped = { white: 0, black: 0, lightest: 0, darkest: 0 },
 ): boolean {
-  const most = look === 'line' ? MOST_CLIPPED_LINES : MOST_CLIPPED;
+  const isLines = look === 'line';
+  const darker = darkest - plain.darkest;
+  if (isLines ? darker > MOST_DARK_LINES : darker + lightest - plain.lightest > MOST_ENDS) return true;
+  const most = isLines ? MOST_CLIPPED_LINES : MOST_CLIPPED;
   const [whiter, blacker] = [white - plain.white, black - plain.black];
   return whiter > most.white || blacker > most.black || whiter + blacker > most.both;
 }

@@ -14,7 +14,7 @@ const looks = (style: any) => ({
   novelty: 1,
   fault: '',
   look: style.seed % 2 ? 'line' : 'flat',
-  clipped: { white: 0, black: 0 },
+  clipped: { white: 0, black: 0, lightest: 0, darkest: 0 },
   signature: Uint8Array.from([(style.seed * 32) % 256, (Math.floor(style.seed / 8) * 32) % 256, style.seed % 256, 0]),
 });
 
@@ -103,7 +103,12 @@ describe('the explorer', () => {
   it('leaves out burnt pictures, except the white paper of line drawings', async () => {
     const { explorer } = await hung((style) => ({
       ...looks(style),
-      clipped: { white: style.seed % 4 < 2 ? 0.5 : 0, black: style.seed % 8 === 2 ? 0.5 : 0 },
+      clipped: {
+        white: style.seed % 4 < 2 ? 0.5 : 0,
+        black: style.seed % 8 === 2 ? 0.5 : 0,
+        lightest: 0,
+        darkest: 0,
+      },
     }));
     const seeds = explorer.items.value.map(({ style }) => (style as any).seed);
     expect(new Set(seeds.map((seed) => seed % 8))).toEqual(new Set([1, 3, 5, 6, 7]));
@@ -326,7 +331,7 @@ describe('the wall', () => {
             fault: '',
             look: 'wild',
             signature: Uint8Array.from(cells.map((cell) => cell * 6)),
-            clipped: { white: 0, black: 0 },
+            clipped: { white: 0, black: 0, lightest: 0, darkest: 0 },
             bitmap: { close: () => {} } as ImageBitmap,
           }));
           const on = { ...PHOTO, id: photo };

@@ -36,7 +36,7 @@ export type Explorer = ReturnType<typeof createExplorer>;
 
 /** Styles that the wall opens with, and that one press invents. For some photos only few styles are good, so more are tried. */
 export const FIRST = 96;
-const FIRST_TRIES = 6 * FIRST;
+const FIRST_TRIES = 10 * FIRST;
 /** Styles of the first wall that are sorted and shown together. Later ones never move them. */
 export const TOGETHER = 24;
 /** Points that neon colours or bleached areas everywhere cost on the first wall. */

@@ -66,7 +66,7 @@ it('leaves out burnt pictures, compared with the photo', async () => {
   const { ids } = await app((seed) => {
     // The photo without a style has a white sky.
     const white = Number.isNaN(seed) ? 0.3 : seed % 2 ? 0.4 : 0.5;
-    return { fault: '', score: 0.9, clipped: { white, black: 0 } };
+    return { fault: '', score: 0.9, clipped: { white, black: 0, lightest: 0, darkest: 0 } };
   });
   await vi.waitFor(() => expect(ids().length).toBeGreaterThanOrEqual(6));
   expect(ids().every((seed) => seed % 2 === 1)).toBe(true);

@@ -5,7 +5,13 @@ import { strings } from '../strings/strings.ts';
 import type { App } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createDownloadActions({ store, download, ui }: Pick<App, 'store' | 'download' | 'ui'>) {
+export function createDownloadActions({
+  store,
+  download,
+  boards,
+  exportChoice,
+  ui,
+}: Pick<App, 'store' | 'download' | 'boards' | 'exportChoice' | 'ui'>) {
   return {
     download: {
       label: strings.download,
@@ -21,6 +27,8 @@ export function createDownloadActions({ store, download, ui }: Pick<App, 'store'
       icon: 'export',
       enabled: computed(() => store.page.value !== null),
       run: () => {
+        // The dialog begins with the sheets on the storyboard.
+        if (ui.work.peek() === 'boards' && boards.rows.peek().length > 0) exportChoice.asked.value = 'boardPdf';
         ui.dialog.value = 'export';
       },
     },

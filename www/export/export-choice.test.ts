@@ -55,6 +55,25 @@ test('a book begins with PDF until the user chooses a format', () => {
   expect(wayOf(shownChoice(later, true))).toBe('jpeg');
 });
 
+test('the storyboard is a choice of its view, which the next dialog does not begin with', () => {
+  const made = createExportChoice(boxOf);
+  made.choose(withWay(made.choice.value, 'jpeg'));
+  made.asked.value = 'boardPdf';
+  const shown = () => shownChoice(made, false);
+  expect([shown().kind, wayOf(shown())]).toEqual(['board', 'boardPdf']);
+  expect(madeOf('boardPdf', false, 'jpeg')).toEqual({ format: 'pdf', inside: 'jpeg' });
+  made.choose(withWay(shown(), 'boardZip'));
+  expect([shown().kind, wayOf(shown())]).toEqual(['board', 'boardZip']);
+  expect(madeOf('boardZip', false, 'jpeg')).toEqual({ format: 'zip', inside: 'png' });
+  made.asked.value = null;
+  expect(wayOf(shown())).toBe('jpeg');
+  // Another format replaces it.
+  made.asked.value = 'boardPdf';
+  made.choose({ ...shown(), kind: 'pdf' });
+  expect([wayOf(shown()), wayOf(made.choice.value)]).toEqual(['pdf', 'pdf']);
+  expect(KINDS).not.toContain('board');
+});
+
 test('documents have all pages, images have the current one, and each kind keeps the choice of the user', () => {
   const box = boxOf();
   const { choice, choose } = createExportChoice(() => box as any);

@@ -8,8 +8,11 @@ import { LISTS } from './formats.ts';
 import type { Format, Inside, Way } from './formats.ts';
 import type { Signal } from '@preact/signals';
 
-/** The first choice. `print` is a PDF file with bleed and marks, `more` has formats of editing programs. */
-export type Kind = 'image' | 'pdf' | 'print' | 'comic' | 'video' | 'project' | 'more';
+/**
+ * The first choice. `board` has the sheets of the storyboard, `print` is a PDF file with bleed and marks, `more` has formats of
+ * editing programs.
+ */
+export type Kind = 'board' | 'image' | 'pdf' | 'print' | 'comic' | 'video' | 'project' | 'more';
 /** `ways` and `every`: the last format of each kind, and whether it has all pages; `inside`: the pictures of a CBZ file. */
 export type Choice = {
   kind: Kind;
@@ -20,6 +23,7 @@ export type Choice = {
 export type ExportChoice = ReturnType<typeof createExportChoice>;
 
 export const WAYS: Record<Kind, readonly Way[]> = {
+  board: ['boardPdf', 'boardZip'],
   image: ['png', 'jpeg', 'webp'],
   pdf: ['pdf'],
   print: ['print'],
@@ -28,7 +32,9 @@ export const WAYS: Record<Kind, readonly Way[]> = {
   project: ['project'],
   more: LISTS,
 };
-export const KINDS = Object.keys(WAYS) as readonly Kind[];
+const ALL = Object.keys(WAYS) as readonly Kind[];
+/** The kinds of files of the comic. The browser remembers only these. */
+export const KINDS: readonly Kind[] = ALL.filter((kind) => kind !== 'board');
 
 const KEY = 'inkpanel.export';
 const FIRST: Choice = { kind: 'image', ways: {}, every: {}, inside: 'png' };
@@ -61,7 +67,7 @@ export function withAll(choice: Choice, all: boolean): Choice {
 
 /** Returns the choice with another format. */
 export function withWay(choice: Choice, way: Way): Choice {
-  const kind = KINDS.find((one) => WAYS[one].includes(way)) ?? choice.kind;
+  const kind = ALL.find((one) => WAYS[one].includes(way)) ?? choice.kind;
   return { ...choice, kind, ways: { ...choice.ways, [kind]: way } };
 }
 
@@ -71,7 +77,8 @@ export function withWay(choice: Choice, way: Way): Choice {
  */
 export function madeOf(way: Way, all: boolean, inside: Inside): { format: Format; inside: Inside } {
   if (way === 'animatic' || way === 'motion' || way === 'project') return { format: 'png', inside };
-  if (way === 'print') return { format: 'pdf', inside };
+  if (way === 'print' || way === 'boardPdf') return { format: 'pdf', inside };
+  if (way === 'boardZip') return { format: 'zip', inside: 'png' };
   if (way === 'strip') return { format: 'zip', inside: 'jpeg' };
   if (all && (way === 'png' || way === 'jpeg' || way === 'webp')) return { format: 'zip', inside: way };
   return { format: way, inside };
@@ -80,11 +87,18 @@ export function madeOf(way: Way, all: boolean, inside: Inside): { format: Format
 /** @param box may throw if the browser denies storage. The choice then lasts until the app is closed. */
 export function createExportChoice(box: () => Pick<Storage, 'getItem' | 'setItem'>) {
   const choice = signal(read(box));
+  const asked: Signal<Way | null> = signal(null);
   return {
     choice,
     /** The format that the user opened the dialog for. */
-    asked: signal(null) as Signal<Way | null>,
+    asked,
+    /** The next dialog begins with this choice, except with the storyboard, which is a choice of its view. */
     choose(next: Choice) {
+      if (next.kind === 'board') {
+        asked.value = wayOf(next);
+        return;
+      }
+      asked.value = null;
       choice.value = next;
       try {
         box().setItem(KEY, JSON.stringify(next));

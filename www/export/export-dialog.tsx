@@ -2,13 +2,14 @@
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { hasAll, madeOf, shownChoice, wayOf, withAll } from './export-choice.ts';
-import { FORMATS, isArchive, isList, pictureIn } from './formats.ts';
+import { FORMATS, isArchive, isBoard, isList, pictureIn } from './formats.ts';
 import { USUAL_QUALITY } from './page-making.ts';
 import { PAGE_SIZES, scaled, sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';
 import { Bitmap } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { Dialog } from '../ui/dialog.tsx';
+import { explain } from '../ui/explain.ts';
 import { Icon } from '../ui/icon.tsx';
 import { ExportActions } from './export-actions.tsx';
 import { ExportProject } from './export-project.tsx';
@@ -21,7 +22,6 @@ import { PrintCheck } from './print-check.tsx';
 import { CleanChoice } from '../storage/clean-choice.tsx';
 import { PrintOptions } from './print-options.tsx';
 import type { PageDocument } from '../engine/types.ts';
-import type { Choice } from './export-choice.ts';
 import type { Format } from './formats.ts';
 import type { Print } from './print.ts';
 
@@ -37,14 +37,11 @@ const AMERICAN = /letter|legal|tabloid|^us-/;
 const PICTURED: readonly string[] = ['a4', 'a4-landscape', 'letter', 'square', 'wide', 'story', 'portrait', 'webtoon'];
 
 export function ExportDialog() {
-  const { store, download, engine, book, ui, exportChoice, keeping } = useApp();
+  const { store, download, engine, book, boards, messages, ui, exportChoice, keeping } = useApp();
   const page = store.page.value as PageDocument;
   const count = download.sheets().length;
   const choice = shownChoice(exportChoice, book.isMade.value);
-  const choose = (next: Choice) => {
-    exportChoice.asked.value = null;
-    exportChoice.choose(next);
-  };
+  const { choose } = exportChoice;
   const all = hasAll(choice) && count > 1;
   const [size, setSize] = useState(sizeId(page.page));
   const [factor, setFactor] = useState(1);
@@ -54,12 +51,21 @@ export function ExportDialog() {
   const [living, setLiving] = useState(true);
   const base = all ? page.page : (PAGE_SIZES.find(({ id }) => id === size) ?? page.page);
   const { width, height, dpi } = scaled(base, factor);
-  const document = useMemo(() => download.preview({ width, height, dpi }), [page, width, height, dpi]);
-  const sheets = useMemo(
-    () => (all ? download.scaledSheets(factor) : document ? [document] : []),
-    [all, factor, document],
-  );
   const way = wayOf(choice);
+  const onBoard = isBoard(way);
+  const [boardSheets, setBoardSheets] = useState([] as readonly PageDocument[]);
+  useEffect(() => {
+    if (!onBoard) return;
+    boards.sheets().then(setBoardSheets, (error) => {
+      messages.alert(strings.boards.noSheets({ why: explain(error) }));
+    });
+  }, [onBoard]);
+  const planned = useMemo(() => download.preview({ width, height, dpi }), [page, width, height, dpi]);
+  const document = onBoard ? (boardSheets[0] ?? null) : planned;
+  const sheets = useMemo(
+    () => (onBoard ? boardSheets : all ? download.scaledSheets(factor) : document ? [document] : []),
+    [onBoard, boardSheets, all, factor, document],
+  );
   // A video has a player and settings instead of the choices below.
   const filmed = way === 'animatic' ? 'shots' : way === 'motion' ? 'pages' : null;
   const { format, inside } = madeOf(way, all, choice.inside);
@@ -87,14 +93,15 @@ export function ExportDialog() {
     }),
     [way, sheets, printed, enlarge, dpi, format, inside, quality, onPaper, living],
   );
-  const isWhole = all || way === 'project' || filmed !== null || isList(format);
+  const isWhole = all || onBoard || way === 'project' || filmed !== null || isList(format);
   const named = (isWhole ? download.sheets() : [page]).some(({ words }) => words?.some(({ located }) => located));
   const close = () => {
     // It tells that it was closed a moment later: another may be open by then.
     if (ui.dialog.peek() === 'export') ui.dialog.value = null;
     exportChoice.asked.value = null;
   };
-  const drawnWidth = Math.round(PREVIEW * Math.min(1, width / height));
+  const aspect = document ? document.page.width / document.page.height : width / height;
+  const drawnWidth = Math.round(PREVIEW * Math.min(1, aspect));
   const saveProject = () => {
     void keeping.files.save();
     close();
@@ -102,7 +109,7 @@ export function ExportDialog() {
 
   return (
     <Dialog title={strings.exportPage} class="export-dialog" onClose={close}>
-      <KindChoice choice={choice} choose={choose} />
+      <KindChoice choice={choice} choose={choose} board={ui.work.value === 'boards' && boards.rows.value.length > 0} />
       {named && (
         <p class="export-places" role="note">
           <Icon name="alert" />
@@ -116,8 +123,10 @@ export function ExportDialog() {
       ) : (
         <div class="export">
           <div class="export-preview">
-            <div class="export-sheet" style={{ '--aspect': width / height }}>
-              {document && <Bitmap of={`${size}`} draw={(call) => engine.renderPage(document, drawnWidth, call)} />}
+            <div class="export-sheet" style={{ '--aspect': aspect }}>
+              {document && (
+                <Bitmap of={onBoard ? document : size} draw={(call) => engine.renderPage(document, drawnWidth, call)} />
+              )}
             </div>
           </div>
           <div class="export-choices">
@@ -133,7 +142,7 @@ export function ExportDialog() {
                   </button>
                 </div>
               </>
-            ) : isList(format) ? (
+            ) : onBoard || isList(format) ? (
               <ExportActions wish={wish} page={null} close={close} />
             ) : (
               <>

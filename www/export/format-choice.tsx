@@ -1,18 +1,19 @@
 /** The format of an export: tiles for the kinds of files, then the formats of the chosen kind. */
 
 import { KINDS, wayOf, WAYS, withWay } from './export-choice.ts';
-import { isBook, isList } from './formats.ts';
+import { isBoard, isBook, isList } from './formats.ts';
 import { strings } from '../strings/strings.ts';
 import type { Choice, Kind } from './export-choice.ts';
 import type { Way } from './formats.ts';
 
 export type ChoiceProps = { choice: Choice; choose: (choice: Choice) => void };
 
-export function KindChoice({ choice, choose }: ChoiceProps) {
+/** @param props `board`: whether the sheets of the storyboard are a choice */
+export function KindChoice({ choice, choose, board }: ChoiceProps & { board: boolean }) {
   return (
     <fieldset class="export-kinds">
       <legend class="visually-hidden">{strings.format}</legend>
-      {KINDS.map((kind) => (
+      {[...(board ? ['board' as const] : []), ...KINDS].map((kind) => (
         <label class="export-kind" key={kind}>
           <input
             type="radio"
@@ -22,7 +23,7 @@ export function KindChoice({ choice, choose }: ChoiceProps) {
             aria-describedby={`export-kind-${kind}-help`}
             onChange={() => choose({ ...choice, kind })}
           />
-          <span id={`export-kind-${kind}`}>{strings.exportKinds[kind]}</span>
+          <span id={`export-kind-${kind}`}>{kindName(kind)}</span>
           <small id={`export-kind-${kind}-help`}>{strings.exportKindHelp[kind]}</small>
         </label>
       ))}
@@ -39,7 +40,7 @@ export function FormatChoice({ choice, choose }: ChoiceProps) {
     <>
       {ways.length > 1 && (
         <fieldset class="export-formats">
-          <legend class="visually-hidden">{strings.exportKinds[choice.kind]}</legend>
+          <legend class="visually-hidden">{kindName(choice.kind)}</legend>
           {ways.map((id) => (
             <label class="export-format" key={id}>
               <input
@@ -49,7 +50,7 @@ export function FormatChoice({ choice, choose }: ChoiceProps) {
                 aria-describedby={help ? 'export-help' : undefined}
                 onChange={() => choose(withWay(choice, id))}
               />
-              {strings.exportFormats[id]}
+              {isBoard(id) ? strings.boards.ways[id === 'boardPdf' ? 'pdf' : 'zip'] : strings.exportFormats[id]}
             </label>
           ))}
         </fieldset>
@@ -76,9 +77,14 @@ export function FormatChoice({ choice, choose }: ChoiceProps) {
   );
 }
 
+function kindName(kind: Kind): string {
+  return kind === 'board' ? strings.boards.board : strings.exportKinds[kind];
+}
+
 /** Videos have their own help next to the player. */
 function helpOf(way: Way): string | undefined {
   if (isBook(way)) return strings.bookHelp[way];
+  if (isBoard(way)) return strings.boards.boardHelp;
   if (isList(way)) return strings.boards.listHelp;
   return (strings.formatHelp as Partial<Record<Way | Kind, string>>)[way];
 }

@@ -5,8 +5,10 @@ import type { ListKind } from '../engine/protocol.ts';
 import type { Kind as FilmKind } from '../motion/kinds.ts';
 
 export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'html' | 'epub' | 'zip' | 'cbz' | ListKind | FilmKind;
+/** Formats of the sheets of the storyboard. */
+export type BoardWay = 'boardPdf' | 'boardZip';
 /** A choice of the dialog. The file type of a video is a second choice, and a ZIP file follows from several pages. */
-export type Way = Exclude<Format, FilmKind | 'zip'> | 'strip' | 'print' | 'animatic' | 'motion' | 'project';
+export type Way = Exclude<Format, FilmKind | 'zip'> | BoardWay | 'strip' | 'print' | 'animatic' | 'motion' | 'project';
 /** the pictures of a ZIP or CBZ file */
 export type Inside = 'png' | 'jpeg' | 'webp';
 
@@ -30,6 +32,10 @@ export const FORMATS: Record<Format, { ending: string; type: string; lossy: bool
   webm: { ...KINDS.webm, lossy: true },
   gif: { ...KINDS.gif, lossy: true },
 };
+
+export function isBoard(way: Format | Way): way is BoardWay {
+  return way === 'boardPdf' || way === 'boardZip';
+}
 
 export function isArchive(format: Format | Way): format is 'zip' | 'cbz' {
   return format === 'zip' || format === 'cbz';

@@ -81,7 +81,7 @@ pub fn move_cut(template: &Template, cut: usize, fraction: f64, slant: f64) -> R
     split.slants[index] = right - left;
     let ends = middles.iter().copied().chain([1.0]);
     split.shares = ends.scan(0.0, |from, to| Some(to - std::mem::replace(from, to))).collect();
-    rebuilt(template, node, template.order.clone(), base_weights(template))
+    rebuilt(template, node, template.order.clone(), base_panels(template))
 }
 
 /// Splits a base panel in two equal halves, stacked (`Axis::Rows`) or side by side. The halves follow each
@@ -98,10 +98,10 @@ pub fn split_panel(template: &Template, panel: usize, axis: Axis) -> Result<Temp
     }
     let mut order: Vec<usize> = template.order.iter().map(|&i| i + usize::from(i > at)).collect();
     order.insert(panel + 1, at + 1);
-    let mut weights = base_weights(template);
-    weights[panel] /= 2.0;
-    weights.insert(panel + 1, weights[panel]);
-    rebuilt(template, node, order, weights)
+    let mut panels = base_panels(template);
+    panels[panel].weight /= 2.0;
+    panels.insert(panel + 1, panels[panel].clone());
+    rebuilt(template, node, order, panels)
 }
 
 /// Removes a panel. The neighbours of a base panel fill its area. Removing an overlay shows the panels below.
@@ -121,9 +121,9 @@ pub fn remove_panel(template: &Template, panel: usize) -> Result<Template> {
     }
     let rest = template.order.iter().filter(|&&i| i != at);
     let order = rest.map(|&i| i - usize::from(i > at)).collect();
-    let mut weights = base_weights(template);
-    weights.remove(panel);
-    rebuilt(template, node, order, weights)
+    let mut panels = base_panels(template);
+    panels.remove(panel);
+    rebuilt(template, node, order, panels)
 }
 
 /// Moves and sizes an overlay so that its bounds on the page are `to`, in page widths. The overlay keeps its shape,
@@ -210,9 +210,9 @@ fn fourth(value: f64) -> f64 {
     (value * 10_000.0).round() / 10_000.0
 }
 
-/// The weights of the base panels.
-pub(super) fn base_weights(template: &Template) -> Vec<f32> {
-    template.panels.iter().filter(|panel| !panel.overlay).map(|panel| panel.weight).collect()
+/// The base panels, in reading order.
+pub(super) fn base_panels(template: &Template) -> Vec<Panel> {
+    template.panels[..template.base_count()].to_vec()
 }
 
 /// The place in the tree of a panel of the reading order.
@@ -234,22 +234,19 @@ pub(super) fn refused(template: &Template, location: String, reason: &str) -> Er
     Error::InvalidLayout { file: template.id().into(), location, reason: reason.into() }
 }
 
-/// A template of the changed tree with its base panels in that order; overlays stay.
+/// A template of the changed tree with its base panels in that order. The panels keep their weight and bleed, but have the
+/// cells of the tree. Overlays stay.
 pub(super) fn rebuilt(
     template: &Template,
     mut node: Node,
     order: Vec<usize>,
-    weights: Vec<f32>,
+    panels: Vec<Panel>,
 ) -> Result<Template> {
     tidy(&mut node);
     let (name, aspect) = (template.name(), template.aspect());
     let mut changed = Template::assemble("custom", name, "custom", aspect, Body::Tree(node));
     let cells = std::mem::take(&mut changed.panels);
-    // A cut that moves leaves each panel what it is.
-    let same = order == template.order;
-    let bleeds = |place: usize| same && template.panels[place].bleeds;
-    let base = order.iter().zip(weights).enumerate();
-    let base = base.map(|(place, (&i, weight))| Panel { weight, bleeds: bleeds(place), ..cells[i].clone() });
+    let base = order.iter().zip(panels).map(|(&i, panel)| Panel { shape: cells[i].shape.clone(), ..panel });
     changed.panels = base.chain(template.panels.iter().filter(|panel| panel.overlay).cloned()).collect();
     changed.order = order;
     checked(changed)
@@ -372,6 +369,23 @@ mod tests {
             let weights = |t: &Template| t.panels().iter().map(|p| p.weight).collect::<Vec<_>>();
             assert_eq!((after.family(), weights(&after)), ("custom", weights(before)));
         }
+    }
+
+    #[test]
+    fn panels_keep_their_bleed_while_others_are_split_or_removed() {
+        let bleeding = |t: &Template| t.panels().iter().map(|p| p.bleeds).collect::<Vec<_>>();
+        let before = find("bleed-bottom-5").unwrap();
+        assert_eq!(bleeding(before), [false, false, false, false, true]);
+        let split = split_panel(before, 1, Axis::Columns).unwrap();
+        assert_eq!(bleeding(&split), [false, false, false, false, false, true]);
+        assert_eq!(bleeding(&remove_panel(&split, 2).unwrap()), bleeding(before));
+        assert_eq!(bleeding(&remove_panel(before, 0).unwrap()), [false, false, false, true]);
+        let halves = split_panel(before, 4, Axis::Columns).unwrap();
+        assert_eq!(bleeding(&halves), [false, false, false, false, true, true]);
+        // The panel at the edge of the page does not move.
+        let settings = PageSettings::default();
+        let (was, is) = (bounds(before, 4, &settings), bounds(&split, 5, &settings));
+        assert!((was.x - is.x).abs() < 1e-3 && (was.width - is.width).abs() < 1e-3, "{was:?} {is:?}");
     }
 
     #[test]

@@ -4,8 +4,8 @@
 //! another order of dividers. The smallest cell that contains them is split into rectangles and divided again
 //! (a guillotine partition). This works only without slanted dividers.
 
-use super::edit::{base_weights, in_tree, rebuilt, refused, tree};
-use super::template::Template;
+use super::edit::{base_panels, in_tree, rebuilt, refused, tree};
+use super::template::{Panel, Template};
 use super::tree::{Axis, Node, PAGE, Split};
 use crate::error::Result;
 use crate::order::sort_by;
@@ -27,18 +27,22 @@ pub fn join_panels(template: &Template, panels: &[usize]) -> Result<Template> {
     let Some((node, ids)) = joined(tree(template)?, 0, &leaves) else {
         return Err(refused(template, named(), "do not make one panel together"));
     };
-    let old_weights = base_weights(template);
-    let (mut order, mut weights) = (Vec::new(), Vec::new());
+    let old = base_panels(template);
+    let joined = Panel {
+        weight: group.iter().map(|&panel| old[panel].weight).sum(),
+        bleeds: group.iter().any(|&panel| old[panel].bleeds),
+        ..old[first].clone()
+    };
+    let (mut order, mut panels) = (Vec::new(), Vec::new());
     for (panel, &leaf) in template.order.iter().enumerate() {
         let stays = panel == first || !group.contains(&panel);
         let leaf = if panel == first { leaves.iter().copied().min().unwrap_or(leaf) } else { leaf };
         if let (true, Some(at)) = (stays, ids.iter().position(|&id| id == leaf)) {
             order.push(at);
-            let joined: f32 = group.iter().map(|&panel| old_weights[panel]).sum();
-            weights.push(if panel == first { joined } else { old_weights[panel] });
+            panels.push(if panel == first { joined.clone() } else { old[panel].clone() });
         }
     }
-    rebuilt(template, node, order, weights)
+    rebuilt(template, node, order, panels)
 }
 
 /// The cell with the leaves of that group joined, and the old number of each leaf. The joined leaf has the
@@ -228,6 +232,21 @@ mod tests {
         }
         // The others cover a corner of a third panel, or have slanted dividers.
         assert!(tried > 300 && done * 2 > tried, "{done} of {tried}");
+    }
+
+    #[test]
+    fn panels_keep_their_bleed_while_others_are_joined() {
+        let before = find("bleed-bottom-5").unwrap();
+        let bleeding = |t: &Template| t.panels().iter().map(|p| p.bleeds).collect::<Vec<_>>();
+        let mut joined = 0;
+        for [a, b] in adjacent(before) {
+            let Ok(after) = join_panels(before, &[a, b]) else { continue };
+            assert_eq!(bleeding(&after), [false, false, false, true], "{a} {b}");
+            joined += 1;
+        }
+        assert_eq!(joined, 2);
+        let split = super::super::edit::split_panel(before, 4, Axis::Columns).unwrap();
+        assert_eq!(bleeding(&join_panels(&split, &[4, 5]).unwrap()), bleeding(before));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The difference between two looks, in parts. One unit of each part is barely visible.
 
-use super::colours::palette_distance;
+use super::colours::{SEVERAL, hues, palette_distance};
 use super::features::{Features, TONES};
 use super::lines::Lines;
 use crate::context::scale_of;
@@ -17,6 +17,9 @@ const PALETTE: f32 = 3.6;
 const LINES: f32 = 0.17;
 /// Extra distance beyond these limits.
 const MISS: f32 = 1.0;
+
+/// Distance of a look in one hue to a picture in several hues.
+const ONE_HUE: f32 = 6.0;
 
 /// The parts of a distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,8 +49,9 @@ pub(super) fn apart(wanted: &Features, found: &Features) -> Apart {
     let free = |features: &Features| (features.free + 0.004).ln();
     let palette = palette_distance(&wanted.palette, &found.palette);
     let dense = lines_apart(wanted.dark.density, found.dark.density);
+    let missing = (hues(&wanted.palette) - hues(&found.palette)).clamp(0.0, SEVERAL) / SEVERAL;
     Apart {
-        palette: palette / 4.0 + if palette > PALETTE { MISS } else { 0.0 },
+        palette: palette / 4.0 + if palette > PALETTE { MISS } else { 0.0 } + ONE_HUE * missing,
         shape: if dense > LINES { MISS } else { 0.0 }
             + 0.6 * tones(&wanted.tones, &found.tones) / 0.06
             + lines(wanted.dark, found.dark)

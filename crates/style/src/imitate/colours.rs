@@ -67,6 +67,23 @@ pub fn palette_distance(a: &[Colour], b: &[Colour]) -> f32 {
     0.5 * (one_way(a, b) + one_way(b, a))
 }
 
+/// Minimum result of [`hues`] for a picture in several hues.
+pub(super) const SEVERAL: f32 = 0.035;
+
+/// Returns how far the colours of a palette are from colours of one hue, in Oklab: their standard deviation across the line in the
+/// plane of hues along which they differ most. It is nearly 0 for one ink on paper.
+pub(super) fn hues(palette: &[Colour]) -> f32 {
+    let points = || palette.iter().map(|colour| (colour.share, oklab(colour.rgb)));
+    let total = points().map(|(share, _)| share).sum::<f32>().max(1e-6);
+    let mean = |of: &dyn Fn([f32; 3]) -> f32| points().map(|(share, at)| share * of(at)).sum::<f32>() / total;
+    let (a, b) = (mean(&|at| at[1]), mean(&|at| at[2]));
+    let aa = mean(&|at| (at[1] - a).powi(2));
+    let bb = mean(&|at| (at[2] - b).powi(2));
+    let ab = mean(&|at| (at[1] - a) * (at[2] - b));
+    // The smaller eigenvalue of the covariance.
+    (f32::midpoint(aa, bb) - ((aa - bb) / 2.0).hypot(ab)).max(0.0).sqrt()
+}
+
 /// Returns the number of 8 x 8 x 8 colour cells that hold 80 per cent of a picture, divided by the maximum
 /// for a photo of this size.
 pub(super) fn variety(image: &Image) -> f32 {
@@ -158,6 +175,17 @@ mod tests {
             assert!((between(a, b) - expected).abs() < 2e-3, "{a:?} {b:?}: {}", between(a, b));
         }
         assert!((delta_e([0; 3], [255; 3]) - 100.0).abs() < 0.1);
+    }
+
+    #[test]
+    fn inks_of_one_hue_have_no_hues() {
+        let palette = |colours: &[[u8; 3]]| {
+            let share = 1.0 / colours.len() as f32;
+            colours.iter().map(|&rgb| Colour { rgb, share }).collect::<Vec<_>>()
+        };
+        let one = hues(&palette(&[[250, 240, 220], [220, 170, 150], [190, 100, 80], [60, 40, 30]]));
+        let many = hues(&palette(&[[250, 240, 220], [210, 60, 40], [60, 130, 50], [40, 80, 160]]));
+        assert!(one < 0.012 && many > 0.04, "{one} {many}");
     }
 
     #[test]

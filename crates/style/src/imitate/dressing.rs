@@ -1,6 +1,6 @@
 //! A designed style in the colours of a picture: its colour steps give way to some that take the picture's palette over.
 
-use super::colours::{Colour, MOST, delta_e, oklab};
+use super::colours::{Colour, MOST, SEVERAL, delta_e, hues, oklab};
 use super::features::Features;
 use super::inks::Inks;
 use crate::Style;
@@ -76,6 +76,10 @@ pub(super) fn dressed(style: &Style, dress: Dress, wanted: &Wanted) -> Option<St
             ];
         }
         Dress::Mono | Dress::Plates => {
+            // One ink is not the look of a picture in several hues.
+            if dress == Dress::Mono && hues(&wanted.features.palette) > SEVERAL {
+                return None;
+            }
             let inks = &wanted.inks.inks;
             let inks = if dress == Dress::Mono { &inks[..1] } else { &inks[..] };
             if dress == Dress::Plates && inks.len() < 2 {

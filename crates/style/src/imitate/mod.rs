@@ -51,7 +51,7 @@ use serde::{Deserialize, Serialize};
 /// `small-picture`, `blank-picture` or `plain-photo` if the picture has no look to imitate.
 pub fn read(picture: &Image) -> Result<Features> {
     let features = read_any(picture)?;
-    nothing::check_look(&features)?;
+    nothing::check_look(picture, &features)?;
     Ok(features)
 }
 

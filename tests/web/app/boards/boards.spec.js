@@ -5,7 +5,7 @@ import { execFile } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
 import { probed } from '../video-files.js';
-import { chooseFormat, saved } from '../export-dialog.js';
+import { chooseFormat, openExport, saved } from '../export-dialog.js';
 import {
   accessible,
   expect,
@@ -130,6 +130,28 @@ test('dialogue, captions and sounds of the pages have a column each, and a label
   const list = await saved(page, () => page.getByRole('button', { name: 'Save storyboard' }).click());
   const [head] = (await readFile(list.path, 'utf8')).split('\r\n');
   expect(head.split(',').slice(8)).toEqual(['Dialogue', 'Caption', 'Sound', 'Notes']);
+});
+
+test('Export begins with the storyboard on its view, and with the comic elsewhere', async ({ page }) => {
+  await openBoard(page);
+  const comic = await openExport(page);
+  await expect(comic.getByRole('radio', { name: 'Storyboard', exact: true })).toHaveCount(0);
+  await chooseFormat(comic, 'jpeg');
+  await page.keyboard.press('Escape');
+  const shots = await openShots(page);
+  await shots.getByRole('textbox', { name: 'Action, shot 1' }).fill('She opens the door.');
+  await shots.getByRole('textbox', { name: 'Action, shot 1' }).press('Enter');
+  await drawn(page);
+  const dialog = await openExport(page);
+  await expect(dialog.getByRole('radio', { name: 'Storyboard', exact: true })).toBeChecked();
+  await expect(dialog.getByRole('radio', { name: 'Storyboard, PDF' })).toBeChecked();
+  await expect(dialog.getByText('All sheets of the storyboard')).toBeVisible();
+  const board = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
+  expect((await run('pdftotext', ['-raw', board.path, '-'])).stdout).toContain('She opens the door.');
+  await page.getByRole('button', { name: 'Comic', exact: true }).click();
+  await openExport(page);
+  await expect(comic.getByRole('radio', { name: 'JPEG', exact: true })).toBeChecked();
+  await expect(comic.getByRole('radio', { name: 'Storyboard', exact: true })).toHaveCount(0);
 });
 
 test('keyboard: a video becomes a board and an animatic', async ({ page }) => {
