@@ -80,7 +80,7 @@ mod tests {
         let (input, place) = letterbox_with_margin(&photo(80, 40), Region::whole(80, 40), 40, 20);
         let at = |x: usize, y: usize| input[1600 + y * 40 + x];
         assert!((at(9, 20) + 1.0).abs() < 1e-6 && (at(30, 20) + 1.0).abs() < 1e-6);
-        assert!((at(10, 15) - (50.0 / 127.5 - 1.0)).abs() < 1e-6);
+        assert!((at(15, 20) - (50.0 / 127.5 - 1.0)).abs() < 1e-6);
         let back = place.to_photo([0.25, 0.375, 0.5, 0.625]);
         assert!(back.iter().zip([0.0, 0.0, 0.5, 1.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{back:?}");
     }
