@@ -122,6 +122,24 @@ fn small_faces_of_a_large_photo_are_found_in_its_parts() {
 }
 
 #[test]
+fn a_face_that_fills_the_photo_is_found_with_a_margin() {
+    let detectors = detectors();
+    // The face of the astronaut, cut from the forehead to the chin.
+    let astronaut = photo("www/public/samples/19-astronaut.jpg");
+    let planes = astronaut
+        .planes()
+        .iter()
+        .map(|plane| inkpanel_engine::raster::Plane::from_fn(112, 112, |x, y| plane.at(x + 170, y + 64)));
+    let planes: [_; 3] = planes.collect::<Vec<_>>().try_into().unwrap();
+    let photo = Image::from_rgb(planes).unwrap();
+    let first = detectors.faces.look(&photo).unwrap();
+    assert!(first.is_empty(), "{first:?}");
+    let found = detectors.detect(&photo).unwrap();
+    let faces: Vec<&Detection> = found.iter().filter(|found| found.label == "face").collect();
+    assert!(faces.len() == 1 && faces[0].score > 0.7 && faces[0].height > 0.5, "{faces:?}");
+}
+
+#[test]
 fn any_picture_gives_boxes_inside_it() {
     let detectors = detectors();
     for (width, height) in [(1, 1), (1, 700), (700, 3), (67, 41)] {

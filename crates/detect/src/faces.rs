@@ -2,7 +2,7 @@
 //! full-range model. Its input is 192 x 192 pixels, and it finds faces from about a tenth of that side.
 
 use super::Detection;
-use super::letterbox::letterbox;
+use super::letterbox::{Letterbox, letterbox, letterbox_with_margin};
 use super::model::Net;
 use super::ssd::{Candidate, corners, sigmoid, suppress, suppress_parts};
 use inkpanel_image::error::{Error, Result};
@@ -34,6 +34,12 @@ const SMALL: f64 = 0.12;
 const SMALLER_PART: f64 = 0.4;
 const LARGER: usize = 4 * SIDE;
 const SMALLER: f64 = 0.07;
+/// Score below which the photo is searched again with a margin. A face that fills the photo is too large for the model, so
+/// the model misses it or is unsure.
+const UNSURE: f64 = 0.78;
+/// Side of the photo inside its margin, in pixels, and the minimum height of a face that this search adds.
+const INNER: usize = SIDE / 2;
+const FILLING: f64 = 0.25;
 /// A box of a part that ends this near to an inner edge is cut by it, in sides of the photo.
 const EDGE: f64 = 0.004;
 
@@ -60,20 +66,29 @@ impl Faces {
         Ok(detections(suppress(self.candidates(photo, whole, THRESHOLD)?, SAME)))
     }
 
+    /// Detects faces in the whole photo. Without a certain face, it also searches faces that fill the photo.
+    ///
+    /// # Errors
+    /// `detector` if the model fails.
+    pub fn search(&self, photo: &Image) -> Result<Vec<Detection>> {
+        let first = self.look(photo)?;
+        if first.iter().any(|face| face.score >= UNSURE) {
+            return Ok(first);
+        }
+        let whole = Region::whole(photo.width(), photo.height());
+        let input = letterbox_with_margin(photo, whole, self.net.side(), INNER);
+        let large = |candidate: &Candidate| candidate.corners[3] - candidate.corners[1] >= FILLING;
+        let found = self.read(input, CLOSER_THRESHOLD)?.into_iter().filter(large);
+        Ok(detections(suppress(candidates(&first).chain(found).collect(), SAME)))
+    }
+
     /// Returns all faces, including small ones that appear in overlapping quarters or ninths of the photo. The
     /// result replaces `first`.
     ///
     /// # Errors
     /// `detector` if the model fails.
     pub fn look_closer(&self, photo: &Image, first: &[Detection]) -> Result<Vec<Detection>> {
-        let mut all: Vec<Candidate> = first
-            .iter()
-            .map(|f| Candidate {
-                corners: [f.x, f.y, f.x + f.width, f.y + f.height],
-                score: f.score,
-                points: f.points,
-            })
-            .collect();
+        let mut all: Vec<Candidate> = candidates(first).collect();
         all.extend(self.in_parts(photo, (2, PART))?);
         if worth_the_closest_look(photo, &all) {
             all.extend(self.in_parts(photo, (3, SMALLER_PART))?);
@@ -96,7 +111,11 @@ impl Faces {
     }
 
     fn candidates(&self, photo: &Image, region: Region, threshold: f64) -> Result<Vec<Candidate>> {
-        let (input, place) = letterbox(photo, region, self.net.side());
+        self.read(letterbox(photo, region, self.net.side()), threshold)
+    }
+
+    /// Runs the model on an input, and returns the faces above a score.
+    fn read(&self, (input, place): (Vec<f32>, Letterbox), threshold: f64) -> Result<Vec<Candidate>> {
         let [boxes, logits] = self.net.run(&input)?;
         if boxes.len() != CELLS * CELLS * NUMBERS || logits.len() != CELLS * CELLS {
             return Err(Error::Detector("the file is not the face detector".into()));
@@ -141,6 +160,14 @@ fn whole_in(corners: [f64; 4], edges: [f64; 4]) -> bool {
         of_photo || (corners[side] - edges[side]).abs() > EDGE
     }) && (corners[0] > edges[0] - EDGE && corners[2] < edges[2] + EDGE)
         && (corners[1] > edges[1] - EDGE && corners[3] < edges[3] + EDGE)
+}
+
+fn candidates(faces: &[Detection]) -> impl Iterator<Item = Candidate> + '_ {
+    faces.iter().map(|f| Candidate {
+        corners: [f.x, f.y, f.x + f.width, f.y + f.height],
+        score: f.score,
+        points: f.points,
+    })
 }
 
 fn detections(candidates: Vec<Candidate>) -> Vec<Detection> {

@@ -14,11 +14,21 @@ pub(super) struct Letterbox {
 
 /// Converts `region` to a model's input: three planes of `side * side` values in -1..1, and their position.
 pub(super) fn letterbox(photo: &Image, region: Region, side: usize) -> (Vec<f32>, Letterbox) {
+    letterbox_with_margin(photo, region, side, side)
+}
+
+/// Like [`letterbox`], but the longer side of `region` has only `inner` of the `side` pixels. The rest is black.
+pub(super) fn letterbox_with_margin(
+    photo: &Image,
+    region: Region,
+    side: usize,
+    inner: usize,
+) -> (Vec<f32>, Letterbox) {
     let whole = [photo.width() as f64, photo.height() as f64];
     // The sides of the reduced region in whole pixels.
     let longer = region.width.max(region.height);
     let size = [region.width, region.height]
-        .map(|length| ((length / longer * side as f64).round() as usize).clamp(1, side));
+        .map(|length| ((length / longer * inner as f64).round() as usize).clamp(1, inner));
     let reduced = resample_image(photo, region, size[0], size[1]);
     let [left, top] = size.map(|length| (side - length) / 2);
     let mut input = vec![-1.0; 3 * side * side];
@@ -63,6 +73,16 @@ mod tests {
             Plane::from_fn(width, height, |x, y| if (x, y) == (0, 0) { 255 } else { 50 * channel as u8 })
         };
         Image::from_rgb([plane(0), plane(1), plane(2)]).unwrap()
+    }
+
+    #[test]
+    fn a_photo_with_a_margin_takes_the_middle_of_the_square() {
+        let (input, place) = letterbox_with_margin(&photo(80, 40), Region::whole(80, 40), 40, 20);
+        let at = |x: usize, y: usize| input[1600 + y * 40 + x];
+        assert!((at(9, 20) + 1.0).abs() < 1e-6 && (at(30, 20) + 1.0).abs() < 1e-6);
+        assert!((at(15, 20) - (50.0 / 127.5 - 1.0)).abs() < 1e-6);
+        let back = place.to_photo([0.25, 0.375, 0.5, 0.625]);
+        assert!(back.iter().zip([0.0, 0.0, 0.5, 1.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{back:?}");
     }
 
     #[test]

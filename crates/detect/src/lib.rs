@@ -125,7 +125,7 @@ impl Detectors {
     /// # Errors
     /// `detector` if a model fails.
     pub fn detect(&self, photo: &Image) -> Result<Vec<Detection>> {
-        let first = self.faces.look(photo)?;
+        let first = self.faces.search(photo)?;
         let mut found =
             if worth_a_closer_look(photo, &first) { self.faces.look_closer(photo, &first)? } else { first };
         if let Some(landmarks) = &self.landmarks {

@@ -34,10 +34,10 @@ impl FaceDetector {
         Ok(Self { net: Faces::new(onnx)? })
     }
 
-    /// Finds faces of a photo: `{boxes, closer}`. `closer` is `true` if [`Self::look_closer`] may find more.
+    /// Finds faces of a photo, also one that fills it: `{boxes, closer}`. `closer` is `true` if [`Self::look_closer`] may find more.
     pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> Result<String> {
         let photo = image(width, height, planes)?;
-        let boxes = self.net.look(&photo)?;
+        let boxes = self.net.search(&photo)?;
         json(&FirstLook { closer: worth_a_closer_look(&photo, &boxes), boxes })
     }
 

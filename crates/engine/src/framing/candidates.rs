@@ -68,6 +68,8 @@ pub(super) struct View<'a> {
     pub(super) subjects: Vec<(Area, Cow<'a, Subject>)>,
     /// The same boxes with their surroundings, see [`Subject::grown`].
     pub(super) grown: Vec<Area>,
+    /// People whose head the photo cuts. They are not subjects.
+    pub(super) headless: Vec<Area>,
     pub(super) focus: Option<(f64, f64)>,
     aspect: f64,
 }
@@ -84,8 +86,10 @@ impl<'a> View<'a> {
             let ((x, w), (y, h)) = (inside(s.x, s.width), inside(s.y, s.height));
             Area { x: x * width, y: y * height, width: w * width, height: h * height }
         };
+        let headless = photo.subjects.iter().filter(|s| photo.is_headless(s)).map(area).collect();
         let mut subjects: Vec<(Area, Cow<Subject>)> = photo
             .marked()
+            .filter(|s| !photo.is_headless(s))
             .filter(|s| [s.x, s.y, s.width, s.height, s.score].iter().all(|v| v.is_finite()))
             .map(|s| (area(&s), s))
             .filter(|(area, _)| area.width > 0.0 && area.height > 0.0)
@@ -100,7 +104,7 @@ impl<'a> View<'a> {
         let grown = subjects.iter().map(|(_, subject)| area(&subject.grown())).collect();
         let focus = photo.focus.filter(|f| f.x.is_finite() && f.y.is_finite());
         let focus = focus.map(|f| (f.x.clamp(0.0, 1.0) * width, f.y.clamp(0.0, 1.0) * height));
-        Self { width, height, target, subjects, grown, focus, aspect }
+        Self { width, height, target, subjects, grown, headless, focus, aspect }
     }
 
     /// The widest crop, at that place along the side on which it can move (0 left or top, 1 right or bottom).

@@ -233,6 +233,19 @@ mod tests {
     }
 
     #[test]
+    fn a_crop_avoids_a_person_whose_head_the_photo_cuts() {
+        // A speaker behind a lectern, and a singer. The photo ends at the neck of the speaker.
+        let speaker = Subject { score: 0.49, ..subject("person", 0.194, 0.037, 0.343, 0.9) };
+        let singer = [subject(FACE, 0.565, 0.3, 0.113, 0.17), subject("person", 0.458, 0.169, 0.391, 0.831)];
+        let all = photo(3600, 2400, vec![singer[0].clone(), singer[1].clone(), speaker.clone()]);
+        for aspect in [0.6, 0.8, 1.0, 1.2] {
+            let crop = frame(&all, &Target::of_aspect(aspect), 0);
+            let shown = (speaker.x + speaker.width - crop.x.max(speaker.x)).max(0.0) / speaker.width;
+            assert!(keeps(&crop, &singer[0]) && shown < 0.4, "{aspect} {shown} {crop:?}");
+        }
+    }
+
+    #[test]
     fn a_group_is_kept_together_when_it_fits() {
         let faces = [0.1, 0.4, 0.7].map(|x| subject(FACE, x, 0.3, 0.1, 0.15));
         let crop = frame(&photo(4000, 3000, faces.to_vec()), &Target::of_aspect(1.4), 0);

@@ -114,6 +114,18 @@ impl PhotoMeta {
         self.subjects.iter().map(Cow::Borrowed).chain(self.figure().map(Cow::Owned))
     }
 
+    /// Whether the photo cuts the head of a person. The box starts at the top of the photo and has no face, and the photo has a
+    /// face elsewhere.
+    #[must_use]
+    pub fn is_headless(&self, person: &Subject) -> bool {
+        let mut faces = self.subjects.iter().filter(|subject| subject.label == FACE).peekable();
+        person.label == "person"
+            && person.y <= HEADLESS.0
+            && person.height >= HEADLESS.1
+            && faces.peek().is_some()
+            && !faces.any(|face| person.surrounds(face))
+    }
+
     /// The box of the mask, for a photo without faces, people and animals. `None` if the mask confidence is
     /// too low, or the subject is too large for a crop.
     fn figure(&self) -> Option<Subject> {
@@ -232,6 +244,9 @@ impl Expression {
 
 /// The part of a person, from the top, that contains the head.
 pub const PERSON_HEAD: f64 = 0.24;
+
+/// Largest distance of a person without a head from the top of the photo, and the least height of the person.
+const HEADLESS: (f64, f64) = (0.05, 0.4);
 
 /// Position of the mouth in a face without points, as a share of the height of its box.
 const MOUTH: f64 = 0.78;

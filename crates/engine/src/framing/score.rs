@@ -37,6 +37,8 @@ const SOME_SIZE: f64 = 0.01;
 const CROWN: f64 = 0.4;
 /// Cost of less room than [`ROOM`] where a face looks, in widths of the crop.
 const CRAMPED: f64 = 0.8;
+/// Cost of a person whose head the photo cuts.
+const HEADLESS_COST: f64 = 1.5;
 /// Cost of one edge through an area of average energy.
 const CUT_COST: f64 = 0.022;
 
@@ -147,6 +149,8 @@ impl<'a> Judge<'a> {
             let (cx, cy) = (area.x + area.width / 2.0, area.y + area.height / 2.0);
             score += 1.5 * (1.0 - (x - cx).hypot(y - cy) / area.width.hypot(area.height));
         }
+        let headless = self.view.headless.iter().map(|person| self.inside(area, *person)).fold(0.0, f64::max);
+        score -= HEADLESS_COST * headless;
         let seen = shown.iter().map(|other| crop.overlap(other)).fold(0.0, f64::max);
         score - 1.5 * seen
     }

@@ -33,8 +33,8 @@ const LEAST_TONAL: f64 = 0.35;
 const BLURRED: f64 = 0.65;
 /// Factor of the quality of gray photos among photos with colours.
 const GRAY_QUALITY: f64 = 0.7;
-/// Number of photos of an album that can leave some out: two pages.
-const TO_SPARE: usize = 10;
+/// Number of photos of an album that can leave some out: two more than a usual page shows.
+const TO_SPARE: usize = 7;
 /// Number of photos whose mean quality leads are compared with.
 const TOP: usize = 2;
 /// Maximum share of the page for a bare photo.
@@ -632,6 +632,21 @@ mod tests {
             let used = photos(&assign(&photos_given, &page("grid-4"), Order::Kept, seed));
             assert!(!(used.contains(&1) && used.contains(&3)), "{used:?}");
         }
+    }
+
+    #[test]
+    fn photos_of_one_moment_cost_on_the_first_page_of_an_album_with_photos_to_spare() {
+        let likeness = |count: usize| {
+            let mut all = album(count);
+            let facts = format!("\"{}\"", "40".repeat(25));
+            for photo in &mut all[..2] {
+                photo.facts = Some(serde_json::from_str(&facts).unwrap());
+            }
+            all[1].fingerprint = all[0].fingerprint ^ 0x3fff;
+            let shelf = Shelf::new(count);
+            Photos::new(&all, &[], Turns::default(), &shelf, &mut Rand64::new(1)).likeness(0, 1)
+        };
+        assert!(likeness(8) > 0.7 && likeness(5) < 1e-9, "{} {}", likeness(8), likeness(5));
     }
 
     #[test]

@@ -14,7 +14,7 @@ use super::prepared::Kind;
 use super::slots::{Assignment, LEADS, Slot};
 use super::turns::Turns;
 use super::utility::Look;
-use crate::framing::{PhotoMeta, closeup};
+use crate::framing::{FACE, PhotoMeta, closeup};
 
 /// Assignments that are tried for each candidate. Odd ones avoid photos of this likeness, even ones only near-duplicates.
 const TRIES: usize = 4;
@@ -205,6 +205,9 @@ fn with_closeup(candidate: &Candidate, plan: &Plan, photos: &Photos) -> Option<P
     }
     let near = (0..slots.len())
         .filter(|&slot| slots[slot].area > slots[weakest].area && photos.kind(photo(slot)) == Kind::Alive);
+    // Near the leading photo, a close crop of its only person shows nothing new.
+    let is_group = |photo: usize| photos.all[photo].subjects.iter().filter(|s| s.label == FACE).count() > 1;
+    let near = near.filter(|&slot| sizes(slots)[slot] < LEADS * largest || is_group(photo(slot)));
     let once = |&slot: &usize| plan.panels.iter().filter(|panel| panel.photo == photo(slot)).count() == 1;
     let better = near.filter(once).filter_map(|slot| {
         let crop = closeup(&photos.all[photo(slot)], &slots[weakest].target, 0)?;
@@ -327,7 +330,40 @@ pub fn gallery<'a>(photos: &'a [PhotoMeta], shelf: &'a super::Shelf) -> Photos<'
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::Shelf;
+    use crate::framing::Subject;
+    use crate::layout::{PageSettings, find, resolve};
+    use crate::plan::{Shelf, slots};
+
+    #[test]
+    fn a_close_crop_beside_the_leading_photo_needs_a_group() {
+        let page = PageSettings::default();
+        let slots = slots(&resolve(find("hero-top-3").unwrap(), page.aspect(), &page), f64::from(page.width));
+        let candidate = Candidate { slots, prior: 1.0, layout: 0, family: "hero" };
+        let repeats = |faces: u32| {
+            let mut all: Vec<PhotoMeta> = (0..5)
+                .map(|i: u64| PhotoMeta {
+                    fingerprint: (i + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
+                    ..PhotoMeta::unmeasured(&i.to_string(), 4000, 3000)
+                })
+                .collect();
+            let face = |i: u32| Subject {
+                x: 0.2 + 0.3 * f64::from(i),
+                y: 0.3,
+                width: 0.12,
+                height: 0.16,
+                label: FACE.into(),
+                score: 0.95,
+                points: None,
+                expression: None,
+            };
+            all[0].find((0..faces).map(face));
+            let shelf = Shelf::new(all.len());
+            let photos = Photos::new(&all, &[], Turns::default(), &shelf, &mut Rand64::new(1));
+            let plan = compose(&[&candidate], &photos, Order::Free, 0.0, &mut Rand64::new(1)).unwrap();
+            plan.panels.iter().filter(|panel| panel.photo == 0).count()
+        };
+        assert_eq!((repeats(1), repeats(2)), (1, 2));
+    }
 
     #[test]
     fn few_panels_cost_if_the_album_has_more_photos() {

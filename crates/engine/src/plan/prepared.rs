@@ -34,6 +34,12 @@ const ALIVE: f64 = 0.3;
 /// Value of a person without a known face as a lead, and for the kind of photo. Such people are seen from behind or from far
 /// away.
 const BEHIND: (f64, f64) = (0.5, 0.7);
+/// The part of the value of a body that does not depend on how clear its face is.
+const UNCLEAR: f64 = 0.4;
+/// Number of people without a known face that make a photo a street scene, and the factor of their value.
+const CROWD: (usize, f64) = (4, 0.6);
+/// Factor of the value of a photo that cuts the head of a person.
+const HEADLESS: f64 = 0.85;
 /// The value of a face rises from the first score to the second. The back of a head can have 0.5.
 const DOUBTFUL: (f64, f64) = (0.35, 0.96);
 /// Minimum score of a face that makes a person known.
@@ -124,7 +130,8 @@ impl Prepared {
     pub fn of(photo: &PhotoMeta) -> Self {
         let aspect = |i: usize| WIDEST.powf(2.0 * i as f64 / (ASPECTS - 1) as f64 - 1.0);
         let sketches = (0..ASPECTS).map(|i| sketch(photo, &Target::of_aspect(aspect(i)))).collect();
-        let marks: Vec<Mark> = photo.marked().filter_map(|s| mark(&s, photo)).collect();
+        let marks: Vec<Mark> =
+            photo.marked().filter(|s| !photo.is_headless(s)).filter_map(|s| mark(&s, photo)).collect();
         let ratings: Vec<f64> =
             marks.iter().map(|mark| mark.weight + if mark.face { 1e3 } else { 0.0 }).collect();
         let marks: Vec<Mark> =
@@ -186,23 +193,33 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
             && people().any(|person| person.score >= RIVAL.0 && area(s).overlap(&area(person)) >= RIVAL.1)
     };
     let is_known = |person: &Subject| faces().any(|face| face.score >= KNOWN && person.surrounds(face));
+    let strangers = people().filter(|person| !is_known(person)).count();
+    let is_crowd = strangers >= CROWD.0 && strangers == people().count();
+    let certain =
+        |face: &Subject| ((face.score - DOUBTFUL.0) / (DOUBTFUL.1 - DOUBTFUL.0)).clamp(0.0, 1.0).sqrt();
+    // A look at the camera comes before a profile and shut eyes.
+    let open =
+        |face: &Subject| (1.0 - PROFILE * face.gaze().abs()) * if face.is_shut() { 1.0 - SHUT } else { 1.0 };
+    let clearest = |person: &Subject| {
+        let known = faces().filter(|face| person.surrounds(face));
+        known.map(|face| certain(face) * open(face)).fold(0.0, f64::max)
+    };
     let value = |s: &Subject| {
-        let score =
-            if s.label == FACE { (s.score - DOUBTFUL.0) / (DOUBTFUL.1 - DOUBTFUL.0) } else { s.score };
-        let sure = score.clamp(0.0, 1.0).sqrt() * if on_display(s) { DISPLAYED } else { 1.0 };
+        let score = if s.label == FACE { certain(s) } else { s.score.clamp(0.0, 1.0).sqrt() };
+        let sure = score * if on_display(s) { DISPLAYED } else { 1.0 };
         let size = |full: f64| (side(s) / full).min(1.0);
         sure * match s.label.as_str() {
             // A small face without a person can be a false detection.
             FACE => {
                 let owned = s.score > SURE || side(s) > 0.12 || people().any(|person| person.surrounds(s));
-                // A portrait comes before a figure in a landscape, and a look at the camera before a profile and
-                // shut eyes.
-                let away = 1.0 - PROFILE * s.gaze().abs();
-                let awake = if s.is_shut() { 1.0 - SHUT } else { 1.0 };
-                (if owned { 1.0 } else { 0.4 }) * away * awake * (0.4 + 0.4 * size(0.14) + 0.2 * size(0.28))
+                // A portrait comes before a figure in a landscape.
+                (if owned { 1.0 } else { 0.4 }) * open(s) * (0.4 + 0.4 * size(0.14) + 0.2 * size(0.28))
             }
             // A person without a face is seen from behind, or is a passer-by.
-            "person" => (if is_known(s) { 0.85 } else { BEHIND.0 }) * size(0.42).powf(0.7),
+            "person" if is_known(s) => {
+                0.85 * (UNCLEAR + (1.0 - UNCLEAR) * clearest(s)) * size(0.42).powf(0.7)
+            }
+            "person" => BEHIND.0 * (if is_crowd { CROWD.1 } else { 1.0 }) * size(0.42).powf(0.7),
             _ if s.is_alive() => 0.95 * (if is_doubtful(s) { 0.4 } else { 1.0 }) * (0.15 + 0.85 * size(0.35)),
             label if VEHICLES.contains(&label) => 0.5 * size(0.45),
             // A sign must be readable, but is rarely the main subject.
@@ -214,13 +231,16 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     };
     let best = subjects.iter().map(|s| value(s)).fold(0.0, f64::max);
     let least = |s: &Subject| match s.label.as_str() {
-        "person" if !is_known(s) => ALIVE * BEHIND.0 / BEHIND.1,
+        "person" if is_known(s) => ALIVE,
+        "person" => ALIVE * BEHIND.0 / BEHIND.1 * if is_crowd { CROWD.1 } else { 1.0 },
         _ => ALIVE,
     };
     let alive = subjects.iter().any(|s| s.is_alive() && value(s) >= least(s));
     let tallest = faces().map(|face| face.height).fold(0.0, f64::max);
-    let group = faces().filter(|face| face.height >= 0.5 * tallest && side(face) >= 0.03).count();
-    let bonus = GROUP.0 * group.saturating_sub(1).min(GROUP.1) as f64;
+    let group = faces().filter(|face| face.height >= 0.5 * tallest && side(face) >= 0.03);
+    let mut group: Vec<f64> = group.map(|face| certain(face) * (1.0 - face.gaze().abs())).collect();
+    group.sort_by(|a, b| b.total_cmp(a));
+    let bonus = GROUP.0 * group.iter().skip(1).take(GROUP.1).sum::<f64>();
     // Detectors report screenshots and receipts as a phone or television that fills the photo, and see faces in them.
     let is_screen = |s: &Subject| SCREENS.contains(&s.label.as_str()) && side(s) > 0.95;
     let sure = subjects.iter().any(|s| s.is_alive() && (s.label != FACE || s.score > SURE));
@@ -232,7 +252,8 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         return (0.0, Kind::Document);
     }
     if alive {
-        return (best + bonus, Kind::Alive);
+        let cut = if photo.subjects.iter().any(|s| photo.is_headless(s)) { HEADLESS } else { 1.0 };
+        return (cut * (best + bonus), Kind::Alive);
     }
     let lettering = || subjects.iter().filter(|s| s.label == LETTERING);
     let text: f64 = lettering().map(|s| s.width * s.height).sum();
@@ -476,6 +497,46 @@ mod tests {
         let ((behind, kind), (doubtful, _), (known, _)) = (person(0.0), person(0.52), person(0.9));
         assert!(behind < 0.7 * known && doubtful < 0.7 * known, "{behind} {doubtful} {known}");
         assert_eq!(kind, Kind::Alive);
+    }
+
+    #[test]
+    fn a_crowd_from_behind_is_worth_less_than_one_person_and_still_shows_people() {
+        let crowd = |count: usize, face: bool| {
+            let mut photo = photo(1600, 1067, 60);
+            let people = (0..count).map(|i| subject("person", 0.9, [0.15 * i as f64, 0.4, 0.14, 0.5]));
+            let face = face.then(|| subject(FACE, 0.9, [0.02, 0.42, 0.08, 0.12]));
+            photo.find(people.chain(face));
+            care(&photo)
+        };
+        let ((one, _), (many, kind), (known, _)) = (crowd(1, false), crowd(6, false), crowd(6, true));
+        assert!(many < 0.7 * one && known > one, "{one} {many} {known}");
+        assert_eq!(kind, Kind::Alive);
+    }
+
+    #[test]
+    fn unclear_faces_add_less_to_a_group() {
+        let group = |score: f64| {
+            let mut photo = photo(1600, 1067, 60);
+            let others = (1..5).map(|i| subject(FACE, score, [0.18 * f64::from(i), 0.3, 0.1, 0.15]));
+            photo.find(std::iter::once(subject(FACE, 0.9, [0.0, 0.3, 0.1, 0.15])).chain(others));
+            care(&photo).0
+        };
+        assert!(group(0.6) < group(0.9) - 0.05, "{} {}", group(0.6), group(0.9));
+    }
+
+    #[test]
+    fn a_person_whose_head_the_photo_cuts_is_no_subject() {
+        let stage = |top: f64| {
+            let mut photo = photo(3600, 2400, 60);
+            photo.find([
+                subject(FACE, 0.92, [0.565, 0.3, 0.113, 0.17]),
+                subject("person", 0.99, [0.458, 0.169, 0.391, 0.831]),
+                subject("person", 0.49, [0.1, top, 0.3, 0.8]),
+            ]);
+            (care(&photo).0, Prepared::of(&photo).marks.len())
+        };
+        let ((cut, marks), (whole, all)) = (stage(0.03), stage(0.15));
+        assert!(cut < 0.9 * whole && (marks, all) == (2, 3), "{cut} {whole} {marks} {all}");
     }
 
     #[test]
