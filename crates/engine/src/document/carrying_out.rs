@@ -879,6 +879,23 @@ mod tests {
     }
 
     #[test]
+    fn a_composed_page_is_another_version_only_with_a_step() {
+        let mut desk = Desk::new();
+        let compose = |seed: u32, silent: bool| {
+            json!({
+                "type": "compose", "photos": ["a", "b", "c"], "panels": 3, "surprise": 1, "draw": { "seed": seed },
+                "silent": silent,
+            })
+        };
+        let version = |desk: &Desk| desk.editor.project().page_id();
+        let (first, steps) = (version(&desk), desk.steps());
+        assert!(desk.does(&compose(5, true)));
+        assert_eq!((version(&desk), desk.steps()), (first, steps));
+        assert!(desk.does(&compose(6, false)));
+        assert!(version(&desk) != first && desk.steps() == steps + 1);
+    }
+
+    #[test]
     fn a_photo_gets_new_crops_here_or_everywhere() {
         let mut desk = Desk::new();
         let page = desk.editor.project().page().cloned().unwrap();
