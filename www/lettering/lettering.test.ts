@@ -9,6 +9,7 @@ import type { KnownPhoto } from '../engine/words.ts';
 let lettering: ReturnType<typeof createLettering>;
 let store: ReturnType<typeof fakeApp>['store'];
 let pages: ReturnType<typeof fakeApp>['pages'];
+let selection: ReturnType<typeof createSelection>;
 /** The known photos at each placement of text. */
 let asked: Record<string, KnownPhoto>[] = [];
 
@@ -45,7 +46,7 @@ beforeEach(async () => {
   fits = false;
   const app = fakeApp({}, { settled: (page) => lettering.settled(page) });
   ({ store, pages } = app);
-  const selection = createSelection({ store });
+  selection = createSelection({ store });
   const { messages, scheduler } = app;
   lettering = createLettering({ store, messages, selection, scheduler, load: async () => letters as any });
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
@@ -71,15 +72,22 @@ describe('words', () => {
       },
     ]);
     expect([lettering.chosen.value, past() - before]).toEqual([0, 1]);
-    // The next one goes to the panel of the chosen one, and without a choice to a panel without text.
     await lettering.add('caption');
-    lettering.choose(-1);
-    await lettering.add('effect');
-    expect(lettering.words.value.map(({ panel }) => panel)).toEqual([0, 0, 1]);
-    pages.undo();
+    expect(lettering.words.value[1].panel).toBe(1);
     pages.undo();
     pages.undo();
     expect(lettering.words.value).toEqual([]);
+  });
+
+  test('another one goes to the panel that was selected for the first, while the first is chosen', async () => {
+    selection.set([1]);
+    await lettering.add('balloon');
+    selection.clear();
+    lettering.choose(0);
+    await lettering.add('balloon');
+    lettering.choose(-1);
+    await lettering.add('effect');
+    expect(lettering.words.value.map(({ panel }) => panel)).toEqual([1, 1, 0]);
   });
 
   test('the list has the order of the eye, and a text moves in it to the panel of its neighbours', async () => {

@@ -57,6 +57,8 @@ export function createLettering({
   const marked = signal(-1);
   /** The selected text item. */
   const chosen = computed(() => (marked.value < words.value.length ? marked.value : -1));
+  /** The panel that the user selected for the last added text. */
+  let target: number | undefined;
   /** The text item that is being edited. */
   const editing = signal(-1);
   /** Its text in the field. The page has it after the edit. */
@@ -137,8 +139,8 @@ export function createLettering({
   }
 
   /**
-   * Adds a text item to the selected panel, or to the panel of the selected text item. Without a selection, it goes to the
-   * first panel without text.
+   * Adds a text item to the selected panel. Another one goes to the same panel while the first is chosen. Without a
+   * selection, it goes to the first panel without text.
    * @returns whether it is there
    */
   async function add(kind: Word['kind']): Promise<boolean> {
@@ -146,8 +148,10 @@ export function createLettering({
     if (!page) return false;
     const busy = new Set(words.peek().map(({ panel }) => panel));
     const free = page.panels.findIndex((_, i) => !busy.has(i));
-    const beside = words.peek()[chosen.peek()]?.panel;
-    const panel = selection.panels.peek()[0] ?? beside ?? Math.max(0, free);
+    // The panel of the chosen text, if the user selected that panel for it.
+    const again = target === words.peek()[chosen.peek()]?.panel ? target : undefined;
+    target = selection.panels.peek()[0] ?? again;
+    const panel = target ?? Math.max(0, free);
     const added = await addAll([
       {
         kind,
@@ -255,9 +259,11 @@ export function createLettering({
     // Shuffle does not replace edited text.
     const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, ...BY_HAND } : word));
     const next = { ...page, words: changed };
-    // A text item that the user moves has a fixed position. Others stay where they are as long as they fit there.
+    // A text item that the user moves has a fixed position. Others stay where they are as long as they fit there. Vertical text
+    // has another shape.
     const box = boxes.peek()[index];
-    const stayed = stays || news.auto || !box ? null : planning.stayed(next, index, box);
+    const isPlaced = stays || news.auto || news.vertical !== undefined || !box;
+    const stayed = isPlaced ? null : planning.stayed(next, index, box);
     if (stayed) setWords(store, [{ at: store.project.peek().at, page: stayed }], { gesture });
     // Otherwise all balloons of its chain are placed again.
     else setPage(next, stays ? [] : chainOf(changed, index), gesture);
