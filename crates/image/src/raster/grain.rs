@@ -62,7 +62,7 @@ fn noise(luma: &Plane) -> f32 {
     flat as f32 / (SQUARE * SQUARE) as f32 * std::f32::consts::FRAC_PI_2.sqrt() / 6.0
 }
 
-/// Moves samples toward those of another plane.
+/// Moves samples toward the samples of another plane.
 fn mix(plane: &mut Plane, other: &Plane, amount: f32) {
     for (sample, &other) in plane.samples_mut().iter_mut().zip(other.samples()) {
         let from = f32::from(*sample);

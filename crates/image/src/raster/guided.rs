@@ -67,7 +67,7 @@ pub fn softened(mask: &Plane, radius: usize) -> Plane {
             ((f64::from(right.wrapping_sub(left)) * (across * down)) as f32 + 0.5) as u8
         };
         let row = out.row_mut(y);
-        // Windows that are not cut off, and those on the left and on the right.
+        // Complete windows are in the middle. Windows at both ends are cut off.
         let middle = radius.min(width)..width.saturating_sub(radius).max(radius.min(width));
         for x in (0..middle.start).chain(middle.end..width) {
             let (left, right) = reach(x, width);
