@@ -454,7 +454,7 @@ impl Room<'_> {
         for (room, laid) in &shapes {
             let mut areas = match self.page.stays {
                 Some(_) if laid.setting.cut => Vec::new(),
-                Some(before) => self.grown_from(before, laid),
+                Some(before) => Self::grown_from(before, laid),
                 None => self.spots(laid),
             };
             if self.page.stays.is_some() {
@@ -495,7 +495,7 @@ impl Room<'_> {
     }
 
     /// Returns the areas for a text item that share an edge or the middle with its earlier area, in each direction.
-    fn grown_from(&self, before: Bounds, laid: &Laid) -> Vec<Bounds> {
+    fn grown_from(before: Bounds, laid: &Laid) -> Vec<Bounds> {
         let Bounds { width, height, .. } = covered(laid);
         let along =
             |start: f64, length: f64, size: f64| [0.5, 0.0, 1.0].map(|at| start + at * (length - size));
