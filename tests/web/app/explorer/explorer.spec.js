@@ -60,7 +60,10 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await deed(page, 0, 'Combine');
   await expect(region(page)).toContainText(`Choose another style to combine with ${first}`);
   // A click on its picture is enough.
-  await wall(page).nth(1).getByRole('button', { name: `Choose ${second}`, exact: true }).click();
+  await wall(page)
+    .nth(1)
+    .getByRole('button', { name: `Choose ${second}`, exact: true })
+    .click();
   await expect(region(page)).toContainText(`combinations of ${first} and ${second}`);
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   // Beside the second parent, and marked, though the wall shows favourites only.
