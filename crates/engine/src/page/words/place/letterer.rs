@@ -29,8 +29,6 @@ use crate::page::words::model::{Kind, TextItem};
 const STEPS: usize = 15;
 /// Beam width of the placement search. Smaller for panels with many text items.
 const BEAM: usize = 24;
-/// Sets for each face beside the best ones.
-const LEAST_SHARE: usize = 6;
 /// Panels with more text items than this are filled one item after the other.
 const CROWD: usize = 12;
 /// Candidate positions of one text item that enter the search.
@@ -71,14 +69,8 @@ const STAGGER: (f64, f64, f64) = (0.2, 0.5, 2.0);
 /// Minimum distance of the lips of a face that speaks, in widths of the mouth, and the cost of another face with closed lips.
 const SPEAKING: f64 = 0.15;
 const SILENT: f64 = 1.5;
-/// Cost of one face speaking for two speakers, of two faces speaking for one speaker, and of another face than before.
-const TWO_IN_ONE: f64 = 40.0;
-/// Cost of one face speaking in two consecutive balloons without names: if another face is as likely to speak, and otherwise.
-const ALTERNATE: (f64, f64) = (12.0, 1.2);
-/// Cost of two faces that speak in another order than they are seen in.
-const REVERSED: f64 = 3.0;
-/// Maximum extra cost of a face that is as likely to speak.
-const LIKELY: f64 = 0.8;
+/// Cost of one face speaking for two speakers.
+const TWO_IN_ONE: f64 = 10.0;
 
 /// Placement of a text item.
 #[derive(Debug, Clone, Copy)]
@@ -125,8 +117,6 @@ pub(super) struct Page<'a> {
     pub(super) taken: &'a [(usize, Bounds)],
     /// Position that the user dragged a text item to, with its index.
     pub(super) wanted: &'a [(usize, Point)],
-    /// The area of the only item of the group before its text changed. It must stay there.
-    pub(super) stays: Option<Bounds>,
     pub(super) ground: &'a Ground,
     pub(super) letters: &'a Letters,
 }
@@ -135,7 +125,7 @@ pub(super) struct Page<'a> {
 type Places = (f64, Vec<Place>);
 
 /// Places the text items of a group and links balloons. Returns the index, the placement and the linked
-/// balloon of each item; empty if an item that must stay does not fit.
+/// balloon of each item.
 pub(super) fn place(
     page: Page<'_>,
     group: &[usize],
@@ -151,18 +141,13 @@ pub(super) fn place(
         figures,
         above: above(word, ground),
         speakers: speakers(seen),
-        pointed: Vec::new(),
         page,
         count: group.len(),
     };
-    let room = Room { pointed: room.pointed(group[0]), ..room };
     let spots: Vec<Vec<Spot>> =
         group.iter().enumerate().map(|(rank, &index)| room.weighed(index, rank)).collect();
     let mut joins = page.joins.to_vec();
     let mut best = room.searched(group, &spots, &joins);
-    if page.stays.is_some() && best.0 >= FORBIDDEN {
-        return Vec::new();
-    }
     if group.len() <= CROWD {
         for (later, before) in pairs(words, group, |word| panel_of(word, ground) == panel) {
             if chain(&joins, before) >= LONGEST_CHAIN || joins[later].is_some() {
@@ -262,8 +247,6 @@ struct Room<'a> {
     above: Vec<&'a ResolvedPanel>,
     /// Faces that may speak, and their costs.
     speakers: Vec<(usize, f64)>,
-    /// The faces that balloons with a fixed position point at, with the index of the balloon.
-    pointed: Vec<(usize, usize)>,
     page: Page<'a>,
     /// Number of text items.
     count: usize,
@@ -274,7 +257,7 @@ impl Room<'_> {
     fn searched(&self, group: &[usize], spots: &[Vec<Spot>], joins: &[Option<usize>]) -> Places {
         let words = self.page.words;
         let mut beam = vec![(0.0, Vec::<Place>::new())];
-        for (&index, spots) in group.iter().zip(spots) {
+        for (rank, (&index, spots)) in group.iter().zip(spots).enumerate() {
             let places = self.places(index, spots, joins);
             let mut next: Vec<(f64, usize, usize)> = Vec::new();
             for (set, (cost, before)) in beam.iter().enumerate() {
@@ -283,29 +266,13 @@ impl Room<'_> {
                         let joined = joins[index] == Some(group[other]) || joins[group[other]] == Some(index);
                         let pair = (&words[group[other]], &words[index]);
                         let rtl = self.page.ground.rtl;
-                        let cost = together((pair.0, placed), (pair.1, place), (joined, rtl));
-                        let faces = (placed.speaker, place.speaker);
-                        let follow = before[other + 1..].iter().all(|place| place.speaker.is_none());
-                        cost + if joined { 0.0 } else { self.voices(pair, faces, follow) }
+                        together((pair.0, placed), (pair.1, place), (joined, rtl), other + 1 == rank)
                     });
                     next.push((cost + place.cost + pairs.sum::<f64>(), set, at));
                 }
             }
             next.sort_by(|a, b| a.0.total_cmp(&b.0));
-            // The best sets, and some for each face, because the last item may need a face that costs the first one more.
-            let mut counts = vec![0; self.seen.len()];
-            let mut rank = 0;
-            next.retain(|&(_, _, at)| {
-                rank += 1;
-                let share = places[at].speaker.map_or(usize::MAX, |face| {
-                    counts[face] += 1;
-                    counts[face]
-                });
-                rank <= BEAM || share <= LEAST_SHARE
-            });
-            if group.len() > CROWD {
-                next.truncate(1);
-            }
+            next.truncate(if group.len() > CROWD { 1 } else { BEAM });
             let carried = next.into_iter().map(|(cost, set, at)| {
                 let mut set = beam[set].1.clone();
                 set.push(places[at]);
@@ -321,7 +288,7 @@ impl Room<'_> {
         let mut places = Vec::new();
         for spot in spots {
             if spot.round && joins[index].is_none() {
-                self.aimed(index, spot, &mut places);
+                self.aimed(spot, &mut places);
             } else {
                 places.push(spot.bare());
             }
@@ -333,57 +300,11 @@ impl Room<'_> {
             for place in &mut places {
                 let (one, two) = ((&words[*other], &stands), (&words[index], &*place));
                 let (first, second) = if *other < index { (one, two) } else { (two, one) };
-                place.cost += together(first, second, (true, self.page.ground.rtl));
+                place.cost += together(first, second, (true, self.page.ground.rtl), false);
             }
         }
         places.sort_by(|a: &Place, b| a.cost.total_cmp(&b.cost));
         self.varied(places)
-    }
-
-    /// Cost of the faces that two balloons point at. The first precedes the second in the text, directly if they `follow`.
-    fn voices(
-        &self,
-        (said, says): (&TextItem, &TextItem),
-        (first, second): (Option<usize>, Option<usize>),
-        follow: bool,
-    ) -> f64 {
-        let (Some(first), Some(second)) = (first, second) else { return 0.0 };
-        let across = |face: usize| {
-            let x = self.seen[face].mouth.x;
-            if self.page.ground.rtl { -x } else { x }
-        };
-        let reversed = if follow && across(first) > across(second) { REVERSED } else { 0.0 };
-        let cost = match (&said.by, &says.by) {
-            (Some(name), Some(next)) if (name == next) != (first == second) => TWO_IN_ONE,
-            (Some(_), Some(_)) => 0.0,
-            // Speakers usually alternate.
-            _ if follow && first == second => {
-                let cost = |face: usize| self.speakers.iter().find(|(other, _)| *other == face);
-                let most = cost(second).map_or(0.0, |(_, cost)| cost + LIKELY);
-                let other = self.speakers.iter().any(|&(face, cost)| face != second && cost <= most);
-                if other { ALTERNATE.0 } else { ALTERNATE.1 }
-            }
-            _ => 0.0,
-        };
-        cost + reversed
-    }
-
-    /// The faces that balloons with a fixed position point at, on the panel of an item.
-    fn pointed(&self, item: usize) -> Vec<(usize, usize)> {
-        let Page { words, taken, ground, letters, .. } = self.page;
-        let here = taken.iter().filter(|(other, _)| words[*other].panel == words[item].panel);
-        let face = |(other, _): &(usize, Bounds)| {
-            let tip = ground.lay(words[*other].clone(), letters).tip?;
-            Some((*other, self.nearest(tip)?))
-        };
-        here.filter_map(face).collect()
-    }
-
-    /// The face whose mouth is nearest to the end of a tail.
-    fn nearest(&self, tip: Point) -> Option<usize> {
-        let away = |face: usize| self.seen[face].mouth.distance(tip);
-        let faces = self.speakers.iter().map(|(face, _)| *face);
-        faces.min_by(|&a, &b| away(a).total_cmp(&away(b)))
     }
 
     /// Whether two items are linked in the document.
@@ -452,14 +373,6 @@ impl Room<'_> {
         let round = matches!(word.kind(), Kind::Balloon(_));
         let mut all = Vec::new();
         for (room, laid) in &shapes {
-            let mut areas = match self.page.stays {
-                Some(_) if laid.setting.cut => Vec::new(),
-                Some(before) => Self::grown_from(before, laid),
-                None => self.spots(laid),
-            };
-            if self.page.stays.is_some() {
-                areas.retain(|&area| self.broken(index, round, area) <= 0.0);
-            }
             // Letters that are smaller than others of the page are a last resort, all the more where the end is missing.
             let small = 9.0 * (largest / laid.setting.size.max(1e-6)).ln()
                 + if laid.setting.cut { 60.0 } else { 0.0 };
@@ -468,7 +381,7 @@ impl Room<'_> {
                 let cost = small + plain + self.cost(index, laid, area, rank);
                 Spot { area, cost, room: *room, round }
             };
-            all.extend(areas.into_iter().map(spot));
+            all.extend(self.spots(laid).into_iter().map(spot));
         }
         all
     }
@@ -494,16 +407,6 @@ impl Room<'_> {
         kept
     }
 
-    /// Returns the areas for a text item that share an edge or the middle with its earlier area, in each direction.
-    fn grown_from(before: Bounds, laid: &Laid) -> Vec<Bounds> {
-        let Bounds { width, height, .. } = covered(laid);
-        let along =
-            |start: f64, length: f64, size: f64| [0.5, 0.0, 1.0].map(|at| start + at * (length - size));
-        let rows = along(before.y, before.height, height);
-        let columns = along(before.x, before.width, width);
-        rows.iter().flat_map(|&y| columns.map(|x| Bounds { x, y, width, height })).collect()
-    }
-
     /// Returns the candidate areas for a text item.
     fn spots(&self, laid: &Laid) -> Vec<Bounds> {
         let Bounds { width, height, .. } = covered(laid);
@@ -521,52 +424,40 @@ impl Room<'_> {
         rows.iter().flat_map(|&y| columns.iter().map(move |&x| Bounds { x, y, width, height })).collect()
     }
 
-    /// Cost of the rules that a position breaks: it leaves the visible part of the panel, covers a face or another item, or is
-    /// read in another order than the text.
-    fn broken(&self, index: usize, round: bool, area: Bounds) -> f64 {
+    /// Cost of a position without the tail.
+    fn cost(&self, index: usize, laid: &Laid, area: Bounds, rank: usize) -> f64 {
+        let round = matches!(laid.word.kind(), Kind::Balloon(_));
         let mut cost = self.outside(area, round);
         let part = hidden(area, round, &self.above);
         if part > 0.0 {
             cost += FORBIDDEN * (0.5 + 2.0 * part);
         }
-        let own = area.width * area.height;
-        for (_, other) in self.page.taken.iter().filter(|(other, _)| !self.tied(index, *other)) {
-            let touched = shared(area, grown(*other, INSET));
-            if touched > 0.0 {
-                cost += FORBIDDEN * (1.0 + touched / own);
-            }
-        }
-        cost += FORBIDDEN * self.misread(index, area) as f64;
-        for face in self.seen.iter().filter(|seen| seen.class == Class::Face) {
-            let part = cover(area, grown(face.bounds, 0.004), round);
-            if part > 0.0 {
-                let body = face.bounds.width * face.bounds.height;
-                cost += FORBIDDEN + 4.0 * FORBIDDEN * part / own.min(body).max(1e-12);
-            }
-        }
-        cost
-    }
-
-    /// Cost of a position without the tail.
-    fn cost(&self, index: usize, laid: &Laid, area: Bounds, rank: usize) -> f64 {
-        let round = matches!(laid.word.kind(), Kind::Balloon(_));
-        let mut cost = self.broken(index, round, area);
         for (_, place) in self.page.wanted.iter().filter(|(other, _)| *other == index) {
             cost += NEAR * center(area).distance(*place) / self.frame.width.hypot(self.frame.height);
         }
-        let own = area.width * area.height;
-        if let Some(before) = self.page.stays {
-            // It grows or shrinks, and does not change its shape.
-            cost += NEAR * (1.0 - shared(before, area) / own.min(before.width * before.height).max(1e-12));
+        for (_, other) in self.page.taken.iter().filter(|(other, _)| !self.tied(index, *other)) {
+            let touched = shared(area, grown(*other, INSET));
+            if touched > 0.0 {
+                cost += FORBIDDEN * (1.0 + touched / (area.width * area.height));
+            }
         }
+        cost += FORBIDDEN * self.misread(index, area) as f64;
+        let own = area.width * area.height;
         let size = self.frame.width.hypot(self.frame.height);
         let mut nearest = size;
         for seen in self.seen {
+            let body = seen.bounds.width * seen.bounds.height;
+            let part = cover(
+                area,
+                if seen.class == Class::Face { grown(seen.bounds, 0.004) } else { seen.bounds },
+                round,
+            );
             if seen.class == Class::Face {
+                if part > 0.0 {
+                    cost += FORBIDDEN + 4.0 * FORBIDDEN * part / own.min(body).max(1e-12);
+                }
                 nearest = nearest.min(gap(area, seen.bounds));
             } else if !seen.masked {
-                let body = seen.bounds.width * seen.bounds.height;
-                let part = cover(area, seen.bounds, round);
                 let weight = if seen.class == Class::Person { BODY } else { THING.0 };
                 cost += weight * (part / own + 4.0 * part / body.max(1e-12));
             }
@@ -647,11 +538,10 @@ impl Room<'_> {
     }
 
     /// Adds a placement with a tail to each face that may speak. Without faces the tail is omitted.
-    fn aimed(&self, index: usize, spot: &Spot, out: &mut Vec<Place>) {
+    fn aimed(&self, spot: &Spot, out: &mut Vec<Place>) {
         let (bare, area, cost) = (spot.bare(), spot.area, spot.cost);
         let size = self.frame.width.hypot(self.frame.height);
         for &(face, unlikely) in &self.speakers {
-            let unlikely = unlikely + self.unheard(index, face);
             let head = self.seen[face].bounds;
             let mouth = self.seen[face].mouth;
             let foot = edge(area, mouth);
@@ -692,30 +582,6 @@ impl Room<'_> {
             let cost = cost + 2.0 * far + if inside { 6.0 } else { 0.0 } + grazed;
             out.push(Place { tip, foot, cost, ..bare });
         }
-    }
-
-    /// Cost of a face after the balloons with a fixed position, and after the face that the item pointed at before.
-    fn unheard(&self, index: usize, face: usize) -> f64 {
-        let words = self.page.words;
-        let balloons = |from: usize, to: usize| {
-            let between = words.get(from + 1..to).unwrap_or_default();
-            between
-                .iter()
-                .any(|word| word.panel == words[index].panel && matches!(word.kind(), Kind::Balloon(_)))
-        };
-        let apart =
-            self.pointed.iter().filter(|(other, _)| !self.tied(index, *other)).map(|&(other, heard)| {
-                let (first, second) = (other.min(index), other.max(index));
-                let faces = if other < index { (heard, face) } else { (face, heard) };
-                let pair = (&words[first], &words[second]);
-                self.voices(pair, (Some(faces.0), Some(faces.1)), !balloons(first, second))
-            });
-        let tip = self.page.stays.and_then(|_| words[index].tail).map(|tail| {
-            let Bounds { x, y, width, height } = self.frame;
-            Point::new(x + tail.x * width, y + tail.y * height)
-        });
-        let other = tip.and_then(|tip| self.nearest(tip)).is_some_and(|before| before != face);
-        apart.sum::<f64>() + if other { TWO_IN_ONE } else { 0.0 }
     }
 
     /// Returns the position of the head of the largest person or animal, or of the largest object without
@@ -791,9 +657,14 @@ impl Room<'_> {
     }
 }
 
-/// Cost of two items of a panel together. The first precedes the second in the text. `rtl`: the page is read
-/// from right to left.
-fn together(one: (&TextItem, &Place), other: (&TextItem, &Place), (joined, rtl): (bool, bool)) -> f64 {
+/// Cost of two items of a panel together. The first precedes the second in the text, directly if they
+/// `follow`. `rtl`: the page is read from right to left.
+fn together(
+    one: (&TextItem, &Place),
+    other: (&TextItem, &Place),
+    (joined, rtl): (bool, bool),
+    follow: bool,
+) -> f64 {
     let ((said, first), (says, second)) = (one, other);
     let (a, b) = (first.area, second.area);
     let mut cost = 0.0;
@@ -820,6 +691,13 @@ fn together(one: (&TextItem, &Place), other: (&TextItem, &Place), (joined, rtl):
     }
     if joined {
         return cost + 60.0 * gap(a, b) + staggered(a, b);
+    }
+    let same_face = first.speaker.is_some() && first.speaker == second.speaker;
+    match (&said.by, &says.by) {
+        (Some(name), Some(next)) if name != next && same_face => cost += TWO_IN_ONE,
+        // Speakers usually alternate.
+        (None, _) | (_, None) if follow && same_face => cost += 1.2,
+        _ => {}
     }
     cost
 }
