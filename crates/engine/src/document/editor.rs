@@ -91,14 +91,13 @@ impl Editor {
         let turns = How { silent: true, gesture: None };
         let edits = match self.outcome(intent, photos)? {
             None => return Ok(false),
-            Some(Outcome::Changed(page)) => vec![Edit::ChangePage { page: pages::planned(page)? }],
-            // Without an undo step, the page stays the same version.
-            Some(Outcome::Shown(page)) if how.silent => {
-                vec![Edit::ChangePage { page: pages::planned(page)? }]
-            }
-            Some(Outcome::Shown(page)) => {
+            Some(Outcome::Shown(page)) if !how.silent => {
                 let page_id = self.history.fresh_page_id();
                 vec![Edit::ShowPage { page: pages::planned(page)?, page_id }]
+            }
+            // Without an undo step, the page stays the same version.
+            Some(Outcome::Changed(page) | Outcome::Shown(page)) => {
+                vec![Edit::ChangePage { page: pages::planned(page)? }]
             }
             Some(Outcome::Sheets(sheets, at)) => vec![Edit::SetSheets { sheets, at }],
             Some(Outcome::Paper(settings, made)) => self.on_paper(settings, made)?,
