@@ -7,18 +7,18 @@
  * action of the user keeps the page.
  */
 
-import type { ReadonlySignal, Signal } from '@preact/signals';
 import { effect, untracked } from '@preact/signals';
-import type { Pages } from '../document/pages.ts';
-import type { Store } from '../document/store.ts';
 import { photosOn } from '../engine/sheets.ts';
-import type { PageDocument } from '../engine/types.ts';
 import { strings } from '../strings/strings.ts';
-import type { Messages } from '../ui/messages.ts';
 import { rankOf } from './hero.ts';
 import { onePerShot, shotOf } from './one-per-shot.ts';
 import { pagesOfText } from './pages-of-text.ts';
 import { noteWithUndo } from './undo-note.ts';
+import type { ReadonlySignal, Signal } from '@preact/signals';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { PageDocument } from '../engine/types.ts';
+import type { Messages } from '../ui/messages.ts';
 
 /** Maximum age in milliseconds of the first page. An older page does not change without the user. */
 const OLDEST = 60_000;

@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals';
+import { strings } from '../strings/strings.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
-import { strings } from '../strings/strings.ts';
 import type { Messages } from '../ui/messages.ts';
 
 type Parts = { messages: Messages; store: Pick<Store, 'step'>; pages: Pick<Pages, 'undo'> };
