@@ -64,7 +64,7 @@ test('pages are in an archive in their order, and at most two are drawn at the s
     '3 at 70',
     'cbz Inkpanel 3',
   ]);
-  expect(messages.list.value.map(({ text }) => text)).toEqual(['3 pages were saved in one file.']);
+  expect(messages.list.value.map(({ text }) => text)).toEqual(['Untitled.cbz was saved with 3 pages.']);
 });
 
 test('a strip is an archive of the pages that the core makes of the pages and the facts of their photos', async () => {
@@ -145,6 +145,17 @@ test('an HTML comic has its pictures where the core says, with progress of all p
   expect(seen).toEqual([0.25, 0.5]);
   expect(saved[0].name).toMatch(/\.html$/);
   expect(await saved[0].blob.text()).toBe('<img src="data:image/webp,1"><img src="data:image/webp,2"> webp');
+});
+
+test('a message names the saved file', async () => {
+  const { download, messages, store } = app({ exportPanel: async () => new Blob(['panel']) });
+  store.page.peek = () => page(1);
+  const said = () => messages.list.value.map(({ text }) => text);
+  await download.start();
+  expect(said()).toEqual(['Untitled.png was saved.']);
+  await download.savePanel(1);
+  expect(said()).toEqual(['Untitled - panel 2.png was saved.']);
+  expect(saved.map(({ name }) => name)).toEqual(['Untitled.png', 'Untitled - panel 2.png']);
 });
 
 test('progress goes from page to page', async () => {

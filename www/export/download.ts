@@ -105,13 +105,11 @@ export function createDownload({
       isFilm(wish.format) ? wish.film?.of : undefined,
     );
     if (!file) return;
-    save(file, nameOf(wish));
+    const [name, count] = [nameOf(wish), wish.pages.length];
+    save(file, name);
     onSaved(wish.pages);
-    const saved = isFilm(wish.format)
-      ? (wish.film?.of === 'pages' ? strings.motion : strings.animatic).saved
-      : isList(wish.format)
-        ? strings.boards.listSaved
-        : strings.pagesSaved({ count: wish.pages.length });
+    const isOfPages = count > 1 && !isFilm(wish.format) && !isList(wish.format);
+    const saved = isOfPages ? strings.pagesSaved({ name, count }) : strings.fileSaved({ name });
     messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean({ n: cargo.unclean })}` : saved);
   }
 
@@ -150,8 +148,7 @@ export function createDownload({
     const page = store.page.peek();
     const file = page && (await work((how) => engine.exportPanel(page, index, how), strings.exportFailed));
     if (!file) return;
-    save(file, panelName(store.project.peek(), index));
-    messages.note(strings.panelSaved);
+    saveAndSay(file, panelName(store.project.peek(), index));
   }
 
   /** @param id of a photo whose subject is known */
@@ -161,8 +158,12 @@ export function createDownload({
     if (!mask) return;
     const file = await work((how) => engine.exportSubject(id, mask, how), strings.exportFailed);
     if (!file) return;
-    save(file, `${(name ?? id).replace(/\.[^.]+$/, '')}-subject.png`);
-    messages.note(strings.subjectSaved);
+    saveAndSay(file, `${(name ?? id).replace(/\.[^.]+$/, '')}-subject.png`);
+  }
+
+  function saveAndSay(file: Blob, name: string) {
+    save(file, name);
+    messages.note(strings.fileSaved({ name }));
   }
 
   /** The browser is handed the promise of a picture, as some allow the clipboard only in the moment of the click. */

@@ -74,7 +74,7 @@ for (const [kind, container, codec] of [
     });
     expect(Number(probe.format.duration)).toBeCloseTo(FRAMES / 24, 1);
     expect(stream(probe, 'audio').codec_name).toMatch(/aac|opus/);
-    await expect(page.getByText('The animatic was saved.')).toBeVisible();
+    await expect(page.getByText(`${file.name} was saved.`)).toBeVisible();
   });
 
 test('an animatic of a board at 23.976 frames per second has this rate', { tag: '@ci' }, async ({ page }) => {

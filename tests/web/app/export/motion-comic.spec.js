@@ -102,7 +102,7 @@ test('a page is read panel by panel, its text items appear, and the video has th
   await dialog.getByRole('combobox', { name: 'Size' }).selectOption('720p');
   await expect(dialog.getByText(/^1 page, /)).toBeVisible();
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
-  await expect(page.getByText('The motion comic was saved.')).toBeVisible();
+  await expect(page.getByText(`${file.name} was saved.`)).toBeVisible();
   const { complaints, streams } = await probed(file.path);
   expect(complaints).toBe('');
   expect(streams[0]).toMatchObject({ width: 1280, height: 720, nb_read_frames: String(frames) });
