@@ -72,6 +72,28 @@ describe('words', () => {
     expect(lettering.words.value).toEqual([]);
   });
 
+  test('a new one and its first text are one step, and another text is a second step', async () => {
+    const before = past();
+    await lettering.add('balloon');
+    lettering.write(0, 'Well', lettering.typingStep(0));
+    expect(past() - before).toBe(1);
+    lettering.write(0, 'Well, well', lettering.typingStep(0));
+    expect(past() - before).toBe(2);
+    pages.undo();
+    expect(lettering.words.value.map(({ text }) => text)).toEqual(['Well']);
+    pages.undo();
+    expect(lettering.words.value).toEqual([]);
+  });
+
+  test('the text of another item does not join the step of a new one', async () => {
+    await lettering.add('balloon');
+    await lettering.add('caption');
+    const before = past();
+    lettering.write(0, 'Well', lettering.typingStep(0));
+    lettering.write(1, 'Later', lettering.typingStep(1));
+    expect(past() - before).toBe(2);
+  });
+
   test('another one goes to the panel that was selected for the first, while the first is chosen', async () => {
     selection.set([1]);
     await lettering.add('balloon');

@@ -70,6 +70,8 @@ export function createLettering({
   /** Words of photos that no page shows. */
   const waiting = computed(() => store.project.value.waiting ?? []);
   let steps = 0;
+  /** The last added text item until its first text, which belongs to its undo step. */
+  let latest: { index: number; gesture: string } | null = null;
 
   return {
     words,
@@ -107,6 +109,7 @@ export function createLettering({
     remove,
     settleOne,
     step,
+    typingStep,
     pageAt,
   };
 
@@ -133,6 +136,13 @@ export function createLettering({
     return `word-${steps}`;
   }
 
+  /** @returns the gesture in which the user types the text of an item. The first text of a new item joins its step. */
+  function typingStep(index: number): string {
+    const first = latest?.index === index ? latest.gesture : null;
+    latest = null;
+    return first ?? step();
+  }
+
   function choose(index: number) {
     if (index !== marked.peek()) mode.value = null;
     marked.value = index;
@@ -152,22 +162,24 @@ export function createLettering({
     const again = target === words.peek()[chosen.peek()]?.panel ? target : undefined;
     target = selection.panels.peek()[0] ?? again;
     const panel = target ?? Math.max(0, free);
-    const added = await addAll([
-      {
-        kind,
-        text: strings.wordSample[kind],
-        panel,
-        photo: photoOn(page, panel),
-        auto: true,
-        ...(kind === 'effect' ? { angle: -8 } : {}),
-      },
-    ]);
-    if (added > 0) choose(words.peek().length - 1);
-    return added > 0;
+    const item: Word = {
+      kind,
+      text: strings.wordSample[kind],
+      panel,
+      photo: photoOn(page, panel),
+      auto: true,
+      ...(kind === 'effect' ? { angle: -8 } : {}),
+    };
+    const gesture = step();
+    if ((await addAll([item], gesture)) === 0) return false;
+    const index = words.peek().length - 1;
+    latest = { index, gesture };
+    choose(index);
+    return true;
   }
 
   /** @returns number of added items on the page */
-  async function addAll(fresh: Word[]): Promise<number> {
+  async function addAll(fresh: Word[], gesture?: string): Promise<number> {
     if (!(await ready())) return 0;
     const page = store.page.peek();
     if (!page) return 0;
@@ -179,7 +191,7 @@ export function createLettering({
     if (some.length === 0) return 0;
     const all = [...before, ...some];
     const places = some.map((_, i) => before.length + i);
-    setPage({ ...page, words: all }, places);
+    setPage({ ...page, words: all }, places, gesture);
     return some.length;
   }
 

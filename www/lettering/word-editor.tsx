@@ -36,7 +36,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
   // The field moves itself.
   const place = useMemo(() => placed(box, height), []);
   const isEffect = word.kind === 'effect';
-  const gesture = useMemo(() => lettering.step(), []);
+  const gesture = useMemo(() => lettering.typingStep(index), []);
 
   useLayoutEffect(() => {
     const area = field.current as HTMLTextAreaElement;
