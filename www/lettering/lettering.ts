@@ -6,6 +6,7 @@
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { language, strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
+import { wordName } from '../document/word-names.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { chainOf, hangsOn, joinedBefore, parted } from './joining.ts';
 import { anchored, pagePoint } from './word-places.ts';
@@ -379,7 +380,7 @@ export function createLettering({
     // Balloons that were linked to it have separate tails again.
     const orphans = all.flatMap((_, i) => (hangsOn(all, i) === index ? [i - Number(i > index)] : []));
     setPage({ ...page, words: unlinked(index).filter((_, i) => i !== index) }, orphans);
-    messages.note(strings.wordRemoved({ name: strings.word({ kind: strings.wordKind[word.kind], text: word.text }) }));
+    messages.note(strings.wordRemoved({ name: wordName(word) }));
   }
 
   /** Places a text item automatically again. */

@@ -1,5 +1,6 @@
 import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';
+import { wordName } from '../document/word-names.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { liftAbove } from './above-keyboard.ts';
@@ -94,7 +95,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       ref={field}
       class="word-editor"
       data-kind={word.kind}
-      aria-label={strings.wordText({ name: strings.word({ kind: strings.wordKind[word.kind], text: word.text }) })}
+      aria-label={strings.wordText({ name: wordName(word) })}
       maxLength={MOST.letters}
       data-capitals={capitals(word)}
       style={{ ...place, '--fill': box.fill, '--ink': box.color, fontFamily: familyOf(box.font) }}

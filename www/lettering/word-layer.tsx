@@ -4,6 +4,7 @@
  */
 
 import { useEffect, useRef } from 'preact/hooks';
+import { wordName } from '../document/word-names.ts';
 import { strings } from '../strings/strings.ts';
 import { subjectsOf, useSubjectsOf } from '../page/subjects-of.ts';
 import { useApp } from '../ui/context.ts';
@@ -66,7 +67,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
   const chosen = lettering.chosen.value === index;
   // Above a drawer, the page is too small for handles.
   const held = chosen && (ui.wide.value || ui.sheet.value === null);
-  const name = strings.word({ kind: strings.wordKind[word.kind], text: word.text });
+  const name = wordName(word);
   return (
     <>
       <button

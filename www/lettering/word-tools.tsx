@@ -5,6 +5,7 @@
 
 import { useRef } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';
+import { roleOf, wordName } from '../document/word-names.ts';
 import { endingsOf } from '../engine/file-kinds.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
@@ -86,8 +87,8 @@ function List() {
               }}
             >
               <b aria-hidden="true">{at + 1}</b>
-              <Icon name={words[index].kind} />
-              <span>{lettering.textOf(index)}</span>
+              <Icon name={roleOf(words[index])} />
+              <span>{words[index].number ? wordName(words[index]) : lettering.textOf(index)}</span>
             </button>
             {index === chosen && order.length > 1 && (
               <>

@@ -5,6 +5,7 @@
 
 import { useEffect } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { wordName } from '../document/word-names.ts';
 import { useApp } from '../ui/context.ts';
 import { isEnabled, now } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
@@ -120,7 +121,7 @@ function toolsFor({
     const tools = wide ? [edit, smaller, larger, ...tail, remove] : [edit, format, smaller, larger, remove, ...tail];
     return {
       kind: 'text',
-      title: strings.word({ kind: strings.wordKind[word.kind], text: lettering.textOf(index) }),
+      title: wordName(word, lettering.textOf(index)),
       tools: [...tools, place, move, ...more],
       shown: SHOWN.most,
     };

@@ -4,6 +4,7 @@
  */
 
 import { strings } from '../strings/strings.ts';
+import { roleOf } from '../document/word-names.ts';
 import { grown } from './panels/merging.ts';
 import type { Album } from '../document/album.ts';
 import type { Bounds, PageDocument } from '../engine/types.ts';
@@ -58,8 +59,8 @@ export function describePage(page: PageDocument, album: Album, style: string): s
       what: photo === null ? strings.emptyPanel : describePanel(page, album, i) || strings.somePhoto,
     }),
   );
-  const words = (page.words ?? []).map(({ kind, text }) =>
-    strings.wordSays({ kind: strings.wordKind[kind], text: text.replaceAll(/\s+/g, ' ').trim() }),
+  const words = (page.words ?? []).map((word) =>
+    strings.wordSays({ kind: strings.wordKind[roleOf(word)], text: word.text.replaceAll(/\s+/g, ' ').trim() }),
   );
   return [strings.pageAs({ panels: panels.length, style }), ...panels, ...words].join(' ');
 }

@@ -11,6 +11,7 @@ import {
   openBoard,
   picture,
   press,
+  tab,
   sharedBoardTest as test,
 } from '../support.js';
 
@@ -70,5 +71,8 @@ test('a shuffle keeps the photos of a page, and the page numbers follow a move',
   expect([...(await contents(page)).photos].sort()).toEqual([...photos].sort());
   await press(page, 'Move page later');
   await expect(thumb(page, 3)).toHaveAttribute('aria-current', 'true');
-  await expect(page.getByRole('button', { name: 'Caption: 3', exact: true })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Page number: 3', exact: true })).toBeVisible();
+  await tab(page, 'Text');
+  const texts = page.getByRole('list', { name: 'Text on the page' });
+  await expect(texts.getByRole('button', { name: 'Page number: 3', exact: true })).toBeVisible();
 });
