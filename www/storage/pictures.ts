@@ -1,4 +1,4 @@
-/** Thumbnails of the project list, drawn in idle time after a page was saved. */
+/** Thumbnails of the project list: the first page, drawn in idle time after a page was saved. */
 
 import { Priority } from '../engine/queue.ts';
 import type { PageDocument } from '../document/project.ts';
@@ -20,7 +20,7 @@ export function createPictures({
   onDrawn,
 }: {
   store: Store;
-  engine: Pick<Engine, 'renderPage' | 'hasPhoto'>;
+  engine: Pick<Engine, 'renderPage'>;
   scheduler: Pick<Scheduler, 'background'>;
   database: () => Promise<Database>;
   onDrawn: () => void;
@@ -30,7 +30,7 @@ export function createPictures({
 
   return { later };
 
-  /** Draws the page if it is another than the one drawn last. */
+  /** Draws the first page if it is another than the one drawn last. */
   function later() {
     stop.abort();
     stop = new AbortController();
@@ -38,7 +38,7 @@ export function createPictures({
   }
 
   async function draw() {
-    const page = store.page.peek();
+    const page = store.sheets.peek().at(0);
     const { id } = store.place.peek();
     if (!page || page === drawn || store.reading.peek()) return;
     const picture = await drawingOf(page);
