@@ -212,6 +212,8 @@ export type Explored = {
  */
 export type Clipped = { white: number; black: number; lightest: number; darkest: number };
 
+export const NOT_CLIPPED: Clipped = { white: 0, black: 0, lightest: 0, darkest: 0 };
+
 /** Result of `import`: the measurements of a photo, and its two reduced copies. */
 export type Imported = {
   meta: PhotoMeta & Pick<ImportEntry, 'format' | 'damage' | 'measures'>;

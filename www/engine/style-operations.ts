@@ -3,6 +3,7 @@
 import { FOREGROUND } from './design.ts';
 import { imitating } from './imitation-module.ts';
 import { mentionsPainter, paintersFile } from './painters.ts';
+import { NOT_CLIPPED } from './protocol.ts';
 import type { Sitter } from '../pkg-imitation/inkpanel.js';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
 import type { Designed } from './design.ts';
@@ -14,7 +15,6 @@ import type { Style } from './types.ts';
 const [PURE_WHITE, PURE_BLACK] = [251, 4];
 /** Grey steps from the lightest or darkest tone of an image, and the part of the pixels that may be beyond that tone. */
 const [NEAR_END, FEW] = [10, 0.005];
-const NOT_CLIPPED: Clipped = { white: 0, black: 0, lightest: 0, darkest: 0 };
 
 export function createStyleOperations({
   studio,

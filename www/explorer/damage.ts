@@ -4,7 +4,8 @@
  * checks stricter.
  */
 
-import type { Clipped, Explored } from '../engine/protocol.ts';
+import { NOT_CLIPPED } from '../engine/protocol.ts';
+import type { Explored } from '../engine/protocol.ts';
 import type { EnergyMap, Subject } from '../engine/types.ts';
 
 /** The label of a face. */
@@ -87,7 +88,7 @@ export function damageOf(
  */
 export function isClipped(
   { clipped: { white, black, lightest, darkest }, look }: Pick<Explored, 'clipped' | 'look'>,
-  plain: Clipped = { white: 0, black: 0, lightest: 0, darkest: 0 },
+  plain = NOT_CLIPPED,
 ): boolean {
   const isLines = look === 'line';
   const darker = darkest - plain.darkest;

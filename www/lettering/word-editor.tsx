@@ -5,7 +5,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { liftAbove } from './above-keyboard.ts';
 import { capitals } from './word-fields.tsx';
-import { familyOf, loadFont } from './word-fonts.ts';
+import { fontFamily, loadFont } from './word-fonts.ts';
 import { focusOn, placed } from './word-hands.ts';
 import type { WordBox } from '../engine/types.ts';
 
@@ -98,7 +98,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       aria-label={strings.wordText({ name: wordName(word) })}
       maxLength={MOST.letters}
       data-capitals={capitals(word)}
-      style={{ ...place, '--fill': box.fill, '--ink': box.color, fontFamily: familyOf(box.font) }}
+      style={{ ...place, '--fill': box.fill, '--ink': box.color, fontFamily: fontFamily(box.font) }}
       onKeyDown={press}
       onInput={({ currentTarget: { value } }) => {
         lettering.typed.value = value;

@@ -10,7 +10,7 @@ import regular from '../../fonts/ComicNeue-Regular.ttf?url';
 const FILES: Record<string, string> = { bangers, 'comic-neue': regular, 'comic-neue-bold': bold };
 const loading: Map<string, Promise<unknown>> = new Map();
 
-export const familyOf = (font: string) => `'inkpanel-${font}', 'Comic Neue', 'Comic Sans MS', cursive, sans-serif`;
+export const fontFamily = (font: string) => `'inkpanel-${font}', 'Comic Neue', 'Comic Sans MS', cursive, sans-serif`;
 
 /** Resolves when the browser has the font with this id. Without a connection, a font of the system is used. */
 export function loadFont(font: string): Promise<unknown> {
