@@ -2,14 +2,14 @@ import { isEnabled, now } from './action.ts';
 import { useApp } from './context.ts';
 import { Icon } from './icon.tsx';
 import { ariaShortcut, keyNames } from './shortcut.ts';
-import type { ComponentChildren } from 'preact';
+import type { ComponentChildren, Ref } from 'preact';
 import type { Action } from './action.ts';
 
 /**
  * The button of an action, with its accessible name and a tooltip.
  * @param props `text`: shows the name next to the icon. `opens`: the switched part appears next to it, like a drawer.
  *   `explains`: shows the reason if it cannot be used. `tells`: a press says the reason, for touch screens without
- *   tooltips. `children`: replaces icon and text
+ *   tooltips. `named`: touch screens show the short name below the icon. `children`: replaces icon and text. `busy`: its work is running. `button`: receives the element
  */
 export function ActionButton({
   action,
@@ -18,7 +18,10 @@ export function ActionButton({
   opens = false,
   explains = false,
   tells = false,
+  named = false,
   children,
+  busy,
+  button,
 }: {
   action: Action;
   class?: string;
@@ -26,16 +29,20 @@ export function ActionButton({
   opens?: boolean;
   explains?: boolean;
   tells?: boolean;
+  named?: boolean;
   children?: ComponentChildren;
+  busy?: boolean;
+  button?: Ref<HTMLButtonElement>;
 }) {
   const { messages } = useApp();
-  const { short, on, run } = action;
+  const { short, run } = action;
+  const on = now(action.on);
   const label = now(action.label);
   const icon = now(action.icon);
   const shown = text ? (short ?? label) : '';
   const shortcut = action.keys?.[0];
   const help = now(action.help) ?? label;
-  const why = action.why?.value;
+  const why = now(action.why);
   const told = shortcut ? `${help} (${keyNames(shortcut).join('+')})` : help;
   // The end of a sentence makes no way for a reason.
   const title = why ? `${told.replace(/[.。]$/u, '')}: ${why}` : told;
@@ -43,10 +50,12 @@ export function ActionButton({
   return (
     <button
       type="button"
+      ref={button}
       class={look}
+      aria-busy={busy}
       aria-label={shown === label && !(explains && why) ? undefined : label}
-      aria-pressed={opens ? undefined : on?.value}
-      aria-expanded={opens ? on?.value : undefined}
+      aria-pressed={opens ? undefined : on}
+      aria-expanded={opens ? on : undefined}
       aria-keyshortcuts={shortcut && ariaShortcut(shortcut)}
       title={title === shown ? undefined : title}
       disabled={!isEnabled(action) && !isTold}
@@ -57,6 +66,11 @@ export function ActionButton({
         <>
           {icon && <Icon name={icon} />}
           {shown && <span>{shown}</span>}
+          {named && (
+            <span class="icon-text" aria-hidden="true">
+              {short}
+            </span>
+          )}
           {explains && why && <small>{why}</small>}
         </>
       )}

@@ -1,6 +1,7 @@
 /**
  * An action of the user, defined once. Its button, its shortcut and its entry in the shortcut list are made from it.
- * Each feature has a table of actions. `app/app.ts` joins them.
+ * Each feature has a table of actions. `app/app.ts` joins them. An action on one entry of a list, or with the state of a
+ * dialog, is made in its view, with constant values.
  */
 
 import { Signal } from '@preact/signals';
@@ -27,11 +28,11 @@ export type Action = {
   /** Entry in the shortcut list, if it differs from the label. Adjacent actions with equal entries share a line. */
   about?: string;
   /** Whether it is available. Default: yes. */
-  enabled?: ReadonlySignal<boolean>;
+  enabled?: Live<boolean>;
   /** The reason why it is not available; empty if it is. */
-  why?: ReadonlySignal<string>;
+  why?: Live<string>;
   /** State of a toggle. */
-  on?: ReadonlySignal<boolean>;
+  on?: Live<boolean>;
   run: () => void;
   /**
    * How it counts in the undo: each time, or together with the times just before. Actions without undo have no value.
@@ -59,5 +60,5 @@ export function now<T>(value: Live<T>): T {
 }
 
 export function isEnabled({ enabled, why }: Pick<Action, 'enabled' | 'why'>): boolean {
-  return (enabled?.value ?? true) && (why?.value ?? '') === '';
+  return (now(enabled) ?? true) && (now(why) ?? '') === '';
 }
