@@ -78,7 +78,7 @@ test('the list of keys has the keys that people know, in their order', async () 
 
 /** Actions that need a browser, a video, fonts, models or the real core. */
 const ELSEWHERE =
-  /^(page\.acceptCrops|book\.(cancel|make|cover)|photos\.(add|choose)|layouts\.(save|forget)|projects\.(create|save|cancel)|panels\.(save|breakFrame|earlier|later|zoom|fit|rotate|flip|reset|cut|slant|inset)|words|text|designer|explorer|imitation\.edit|styles|download\.download)/;
+  /^(page\.acceptCrops|book\.(cancel|make|cover)|photos\.(add|choose|trySamples)|layouts\.(save|forget)|projects\.(create|save|cancel|openCopy|goBack)|window\.install|panels\.(save|breakFrame|earlier|later|zoom|fit|rotate|flip|reset|cut|slant|inset)|words|text|designer|explorer|imitation\.edit|styles|download\.download)/;
 /** They are the undo itself. */
 const WALKS = ['page.undo', 'page.redo'];
 
@@ -100,6 +100,7 @@ test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
   if (id === 'panels.split') merging.merge();
   else if (!['panels.merge', 'panels.join', 'panels.swap'].includes(id)) selection.set([0]);
   if (id === 'window.shrinkPage') parts.ui.zoom.value = 2;
+  if (id === 'download.hideMarks') parts.ui.printCheck.value = 8;
   parts.imitation.proposals.value = [{ id: 'like-1', name: 'Like a print', tags: [], background: [] }];
   parts.imitation.shown.value = 'like-1';
   if (id === 'boards.followPages') parts.boards.move(0, 1);

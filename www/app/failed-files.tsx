@@ -1,4 +1,5 @@
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Dialog } from '../ui/dialog.tsx';
 
@@ -17,16 +18,17 @@ export function FailedFiles() {
             <strong>{name}</strong>
             <span>{why}</span>
             {way && (
-              <button
-                type="button"
-                class="button"
-                onClick={() => {
-                  close();
-                  way.run();
+              <ActionButton
+                action={{
+                  label: way.label,
+                  run() {
+                    close();
+                    way.run();
+                  },
                 }}
-              >
-                {way.label}
-              </button>
+                class="button"
+                text
+              />
             )}
           </li>
         ))}

@@ -19,7 +19,7 @@ const PAGES = ['line', 'moonlight', 'golden-age'];
 const isTouch = () => window.matchMedia('(pointer: coarse)').matches;
 
 export function Start() {
-  const { actions, reading, store } = useApp();
+  const { actions, store } = useApp();
   return (
     <main class="start">
       <div class="start-body">
@@ -39,9 +39,7 @@ export function Start() {
           <p class="start-more">{strings.leadMore}</p>
           <div class="start-buttons">
             <ActionButton action={actions.photos.choose} class="button strong large" text />
-            <button type="button" class="button large" aria-busy={store.fetching.value} onClick={reading.addSamples}>
-              {strings.trySamples}
-            </button>
+            <ActionButton action={actions.photos.trySamples} class="button large" text busy={store.fetching.value} />
           </div>
           <div class="start-foot">
             <p class="start-promise">

@@ -196,16 +196,12 @@ function Said({
 
 function Way({ of, close }: { of: import('../ui/messages.ts').Way | undefined; close: () => void }) {
   if (!of) return null;
-  return (
-    <button
-      type="button"
-      class="button"
-      onClick={() => {
-        if (!of.stays) close();
-        of.run();
-      }}
-    >
-      {of.label}
-    </button>
-  );
+  const action = {
+    label: of.label,
+    run() {
+      if (!of.stays) close();
+      of.run();
+    },
+  };
+  return <ActionButton action={action} class="button" text />;
 }

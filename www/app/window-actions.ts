@@ -9,7 +9,7 @@ import type { App } from '../ui/context.ts';
 import { ZOOMS } from '../ui/ui.ts';
 import type { Sheet } from '../ui/ui.ts';
 
-export function createWindowActions({ ui, designer }: Pick<App, 'ui' | 'designer'>) {
+export function createWindowActions({ ui, designer, installing }: Pick<App, 'ui' | 'designer' | 'installing'>) {
   const drawer = (sheet: Sheet, icon: string, label: string) =>
     ({
       label,
@@ -88,6 +88,13 @@ export function createWindowActions({ ui, designer }: Pick<App, 'ui' | 'designer
       run: () => {
         ui.zoom.value = ZOOMS.findLast((zoom) => zoom < ui.zoom.peek()) ?? 1;
       },
+    },
+    install: {
+      label: strings.install,
+      help: strings.installHelp,
+      icon: 'install',
+      enabled: installing.possible,
+      run: installing.install,
     },
     help: {
       label: strings.help,

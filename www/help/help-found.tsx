@@ -1,6 +1,7 @@
 /** Found topics and keyboard shortcuts, below the search field of the help. */
 
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { keyLines } from './key-lines.ts';
 import { searchHelp, topicsOf } from './searching.ts';
@@ -22,6 +23,13 @@ export function HelpFound({
   const { topics, lines } = searchHelp(sought, topicsOf(topicMessages, strings), keyLines({ ...actions }));
   const searching = sought.trim() !== '';
   const none = topics.length + lines.length === 0;
+  const showHints = {
+    label: strings.hintsAgain,
+    run() {
+      close();
+      hints.begin();
+    },
+  };
   return (
     <>
       <p class="help-found quiet" role="status">
@@ -31,11 +39,7 @@ export function HelpFound({
             ? strings.helpFound({ topics: topics.length, keys: lines.length })
             : ''}
       </p>
-      {none && (
-        <button type="button" class="button" onClick={() => seek('')}>
-          {strings.allTopics}
-        </button>
-      )}
+      {none && <ActionButton action={{ label: strings.allTopics, run: () => seek('') }} class="button" text />}
       <div class="help-found-lists">
         {topics.length > 0 && <Topics of={topics} open={searching} />}
         {lines.length > 0 && <Keys of={lines} />}
@@ -50,16 +54,7 @@ export function HelpFound({
             />
             <span>{strings.letterKeys}</span>
           </label>
-          <button
-            type="button"
-            class="button"
-            onClick={() => {
-              close();
-              hints.begin();
-            }}
-          >
-            {strings.hintsAgain}
-          </button>
+          <ActionButton action={showHints} class="button" text />
         </div>
       )}
     </>

@@ -5,7 +5,7 @@ import { openFiles } from './file-input.tsx';
 import type { App } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createPhotoActions({ ui, masks }: Pick<App, 'ui' | 'masks'>) {
+export function createPhotoActions({ ui, masks, reading }: Pick<App, 'ui' | 'masks' | 'reading'>) {
   return {
     subjects: {
       label: strings.showSubjects,
@@ -19,5 +19,6 @@ export function createPhotoActions({ ui, masks }: Pick<App, 'ui' | 'masks'>) {
     goOnMasks: { label: strings.goOnMasking, icon: 'play', run: masks.goOn },
     add: { label: strings.addPhotos, icon: 'add', run: openFiles },
     choose: { label: strings.chooseFiles, icon: 'photos', run: openFiles },
+    trySamples: { label: strings.trySamples, run: reading.addSamples },
   } satisfies Record<string, Action>;
 }

@@ -2,6 +2,7 @@
 
 import { useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import type { Video } from '../document/album.ts';
 
@@ -29,6 +30,11 @@ function Trim({ video }: { video: Video }) {
   if (duration === null) return null;
   const end = wish.end ?? duration;
   const set = (part: Partial<typeof wish>) => setWish({ ...wish, end, ...part });
+  const takeFrames = {
+    label: strings.takeFrames,
+    enabled: store.reading.value === null,
+    run: () => reading.resample(key, { start: wish.start, end, frames: wish.frames }),
+  };
   return (
     <li class="video">
       <details>
@@ -60,14 +66,7 @@ function Trim({ video }: { video: Video }) {
           />
           <output aria-hidden="true">{wish.frames}</output>
         </label>
-        <button
-          type="button"
-          class="button"
-          disabled={store.reading.value !== null}
-          onClick={() => reading.resample(key, { start: wish.start, end, frames: wish.frames })}
-        >
-          {strings.takeFrames}
-        </button>
+        <ActionButton action={takeFrames} class="button" text />
       </details>
     </li>
   );

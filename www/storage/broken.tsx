@@ -1,11 +1,13 @@
 import { textAt } from '../strings/compose.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 
 /** Message about a project that cannot be opened, with possible actions. */
 export function Broken() {
-  const { keeping, ui } = useApp();
+  const { keeping, ui, actions } = useApp();
+  const { goBack, openAnother, saveBroken } = actions.projects;
   const project = keeping.broken.value;
   if (!project) return null;
   const { name, why, detail, back } = project;
@@ -24,33 +26,9 @@ export function Broken() {
         {strings.brokenKept} {!back && strings.noGoodState}
       </p>
       <p class="broken-ways">
-        {back && (
-          <button
-            type="button"
-            class="button strong"
-            onClick={() =>
-              void keeping.goBack().then((done) => {
-                if (done) ui.work.value = null;
-              })
-            }
-          >
-            {strings.goBack}
-          </button>
-        )}
-        {!listed && (
-          <button
-            type="button"
-            class="button"
-            onClick={() => {
-              ui.work.value = 'projects';
-            }}
-          >
-            {strings.openAnother}
-          </button>
-        )}
-        <button type="button" class="button" onClick={() => void keeping.saveBroken()}>
-          {strings.saveAsFile}
-        </button>
+        {back && <ActionButton action={goBack} class="button strong" text />}
+        {!listed && <ActionButton action={openAnother} class="button" text />}
+        <ActionButton action={saveBroken} class="button" text />
       </p>
       {detail !== '' && (
         <p class="broken-detail">

@@ -1,9 +1,10 @@
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 
 /** Says that another tab has the project, and offers a copy. */
 export function Elsewhere() {
-  const { keeping, ui } = useApp();
+  const { keeping, actions } = useApp();
   const other = keeping.elsewhere.value;
   if (!other) return null;
   return (
@@ -11,17 +12,7 @@ export function Elsewhere() {
       <p>
         {strings.openElsewhere({ name: other.name || strings.untitled })} {other.follows && strings.opensWhenFree}
       </p>
-      <button
-        type="button"
-        class="button"
-        onClick={() =>
-          void keeping.openCopy().then((done) => {
-            if (done) ui.work.value = null;
-          })
-        }
-      >
-        {strings.openCopy}
-      </button>
+      <ActionButton action={actions.projects.openCopy} class="button" text />
     </div>
   );
 }

@@ -55,7 +55,7 @@ export function ProjectName() {
 
 /** Save state, with an action if saving failed. */
 export function SaveState() {
-  const { keeping } = useApp();
+  const { keeping, actions } = useApp();
   const state = keeping.status.value;
   const text = stateText(keeping);
   if (text === '') return null;
@@ -66,18 +66,8 @@ export function SaveState() {
         {text}
       </span>
     );
-  return (
-    <button
-      type="button"
-      class="save-state"
-      data-state="not"
-      title={`${text}. ${strings.saveToFile}`}
-      onClick={() => void keeping.files.save()}
-    >
-      <Icon name="alert" />
-      <span>{text}</span>
-    </button>
-  );
+  const saveFile = { ...actions.projects.save, label: text, help: `${text}. ${strings.saveToFile}`, icon: 'alert' };
+  return <ActionButton action={saveFile} class="save-state" text />;
 }
 
 function stateText({ status, progress }: Keeping) {

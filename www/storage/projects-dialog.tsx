@@ -8,7 +8,6 @@ import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
-import { Icon } from '../ui/icon.tsx';
 import { InstallButton } from '../offline/install.tsx';
 import { Workspace } from '../ui/workspace.tsx';
 import { Broken } from './broken.tsx';
@@ -27,13 +26,11 @@ export function Projects() {
 
   useEffect(() => void keeping.refresh().catch(() => {}), [status]);
 
+  const openFile = { label: strings.openProject, icon: 'open', run: () => input.current?.click() };
   const tools = (
     <div class="wall-bar">
       <ActionButton action={projects.create} class="button" text />
-      <button type="button" class="button" onClick={() => input.current?.click()}>
-        <Icon name="open" />
-        {strings.openProject}
-      </button>
+      <ActionButton action={openFile} class="button" text />
       <ActionButton action={projects.save} class="button" text />
       {!empty && <CleanChoice />}
       <InstallButton />

@@ -4,6 +4,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { decodeText } from '../engine/text-file.ts';
 import { textModule } from '../engine/text-module.ts';
 import { language, strings } from '../strings/strings.ts';
+import { ActionButton } from './action-button.tsx';
 import { Dialog } from './dialog.tsx';
 import { choosing, encodingName } from './encodings.ts';
 import type { EncodingChoice } from './encodings.ts';
@@ -40,6 +41,14 @@ function Choice({ choice: { file, encoding, again } }: { choice: EncodingChoice 
     };
   }, [chosen]);
 
+  const readAgain = {
+    label: strings.readAgain,
+    enabled: chosen !== encoding,
+    run() {
+      close();
+      again(chosen);
+    },
+  };
   return (
     <Dialog title={strings.encodingOf({ name: file.name })} onClose={close}>
       <select
@@ -67,17 +76,7 @@ function Choice({ choice: { file, encoding, again } }: { choice: EncodingChoice 
         aria-label={strings.encodingPreview}
         value={preview}
       />
-      <button
-        type="button"
-        class="button strong"
-        disabled={chosen === encoding}
-        onClick={() => {
-          close();
-          again(chosen);
-        }}
-      >
-        {strings.readAgain}
-      </button>
+      <ActionButton action={readAgain} class="button strong" text />
     </Dialog>
   );
 }

@@ -1,6 +1,7 @@
 /** The dialog that asks before an action replaces work. */
 
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from './action-button.tsx';
 import { useApp } from './context.ts';
 import { Dialog } from './dialog.tsx';
 
@@ -11,23 +12,19 @@ export function QuestionDialog() {
   const close = () => {
     ui.question.value = null;
   };
+  const confirm = {
+    label: question.yes,
+    run() {
+      close();
+      question.run();
+    },
+  };
   return (
     <Dialog title={question.yes} onClose={close} class="question">
       <p>{question.text}</p>
       <div class="question-ways">
-        <button type="button" class="button" onClick={close}>
-          {strings.cancel}
-        </button>
-        <button
-          type="button"
-          class="button strong"
-          onClick={() => {
-            close();
-            question.run();
-          }}
-        >
-          {question.yes}
-        </button>
+        <ActionButton action={{ label: strings.cancel, run: close }} class="button" text />
+        <ActionButton action={confirm} class="button strong" text />
       </div>
     </Dialog>
   );
