@@ -4,9 +4,9 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { useSubjectsOf } from '../page/subjects-of.ts';
 import { strings } from '../strings/strings.ts';
 import { Thumbnail, screenPixels } from '../ui/bitmap.tsx';
+import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
-import { Icon } from '../ui/icon.tsx';
 import { Workspace } from '../ui/workspace.tsx';
 import type { Entry } from './shown-pages.ts';
 
@@ -23,21 +23,15 @@ export function PagesWall() {
 
   useEffect(() => list.current?.querySelector('[aria-current]')?.scrollIntoView({ block: 'center' }), []);
 
+  const showAll = { label: strings.comparedAll, icon: 'previous', run: () => setPair([]) };
+  const showFavourites = { label: strings.favouritePages, icon: 'heart', on: only, run: () => setOnly(!only) };
   const tools = (
     <div class="wall-bar">
       <p class="wall-hint" role="status">
         {pair.length === 1 && strings.compareSecond}
       </p>
-      {pair.length > 0 && (
-        <button type="button" class="button" onClick={() => setPair([])}>
-          <Icon name="previous" />
-          {strings.comparedAll}
-        </button>
-      )}
-      <button type="button" class="button" aria-pressed={only} onClick={() => setOnly(!only)}>
-        <Icon name="heart" />
-        {strings.favouritePages}
-      </button>
+      {pair.length > 0 && <ActionButton action={showAll} class="button" text />}
+      <ActionButton action={showFavourites} class="button" text />
     </div>
   );
   return (

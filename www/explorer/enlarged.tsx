@@ -3,12 +3,15 @@
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { screenPixels } from '../ui/bitmap.tsx';
+import { now } from '../ui/action.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { onEscape } from '../ui/on-escape.ts';
 import { useStyleDeeds } from './style-deeds.ts';
 import { codeOf, explain } from '../ui/explain.ts';
+import type { Action } from '../ui/action.ts';
 import type { Shown } from '../photos/photo-picker.tsx';
 import type { Item, Photo } from './explorer.ts';
 
@@ -46,7 +49,7 @@ function View({
 }) {
   const { explorer, ownStyles } = useApp();
   const { style } = item;
-  const deeds = useStyleDeeds(style, photo);
+  const deeds = useStyleDeeds(style, photo, ownStyles.isFavourite(style.id));
   const ref = useRef(null as HTMLDialogElement | null);
   const last = useRef(style.id);
   last.current = style.id;
@@ -80,10 +83,13 @@ function View({
   }
 
   /** The result is visible on the wall. */
-  function andClose(deed: () => void) {
-    return () => {
-      deed();
-      close();
+  function andClose(action: Action): Action {
+    return {
+      ...action,
+      run() {
+        action.run();
+        close();
+      },
     };
   }
 
@@ -119,52 +125,26 @@ function View({
         <IconButton icon="next" label={strings.nextStyle} disabled={at === count - 1} onClick={() => go(1)} />
       </div>
       <footer class="enlarged-tools">
-        <Tool
-          icon="heart"
-          label={strings.favourite}
-          short={strings.styleShort.favourite}
-          pressed={ownStyles.isFavourite(style.id)}
-          onClick={deeds.favour}
-        />
-        <Tool icon="designer" label={strings.editInDesigner} short={strings.styleShort.edit} onClick={deeds.edit} />
-        <Tool icon="breed" label={strings.breed} short={strings.styleShort.combine} onClick={andClose(deeds.breed)} />
-        <Tool
-          icon="more"
-          label={strings.moreLikeThis}
-          short={strings.styleShort.similar}
-          onClick={andClose(deeds.moreLike)}
-        />
-        <button type="button" class="button strong" onClick={deeds.use}>
-          <Icon name="check" />
-          <span>{strings.useStyle}</span>
-        </button>
+        <Tool action={deeds.favour} />
+        <Tool action={deeds.edit} />
+        <Tool action={andClose(deeds.breed)} />
+        <Tool action={andClose(deeds.moreLike)} />
+        <ActionButton action={{ ...deeds.use, short: undefined }} class="button strong" text />
       </footer>
     </dialog>
   );
 }
 
 /** A tool with its name, or with a short name on small screens. */
-function Tool({
-  icon,
-  label,
-  short,
-  pressed,
-  onClick,
-}: {
-  icon: string;
-  label: string;
-  short: string;
-  pressed?: boolean;
-  onClick: () => void;
-}) {
+function Tool({ action }: { action: Action }) {
   return (
-    <button type="button" class="button tool" aria-label={label} title={label} aria-pressed={pressed} onClick={onClick}>
-      <Icon name={icon} />
-      <span class="tool-name">{label}</span>
+    <ActionButton action={action} class="button tool">
+      <Icon name={now(action.icon) ?? ''} />
+      <span class="tool-name">{now(action.label)}</span>
       <span class="icon-text" aria-hidden="true">
-        {short}
+        {action.short}
       </span>
-    </button>
+    </ActionButton>
   );
 }
 

@@ -13,6 +13,13 @@ export function createExplorerActions({ explorer }: Pick<App, 'explorer'>) {
       enabled: computed(() => explorer.progress.value !== null),
       run: explorer.stop,
     },
+    cancelCombining: {
+      label: strings.cancel,
+      enabled: computed(() => explorer.parent.value !== null),
+      run: () => {
+        explorer.parent.value = null;
+      },
+    },
     stopJudging: { label: strings.stopJudging, run: explorer.scores.pause },
     sort: {
       label: strings.sortByScore,

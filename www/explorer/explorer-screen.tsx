@@ -7,7 +7,6 @@ import { useApp } from '../ui/context.ts';
 import { useGlimpse } from '../ui/glimpse.tsx';
 import { useHero } from '../photos/hero.ts';
 import { useDrawnPhotos } from '../photos/photo-picker.tsx';
-import { Icon } from '../ui/icon.tsx';
 import { Workspace } from '../ui/workspace.tsx';
 import { TOGETHER } from './explorer.ts';
 import { Dials } from './dials.tsx';
@@ -60,17 +59,15 @@ export function Explorer() {
     return explorer.stop;
   }, [photo?.id]);
 
+  const generate = {
+    label: strings.generate,
+    icon: 'surprise',
+    enabled: photo !== null,
+    run: () => photo && void explorer.generate(photo),
+  };
   const tools = (
     <div class="explorer-bar">
-      <button
-        type="button"
-        class="button strong"
-        disabled={!photo}
-        onClick={() => photo && void explorer.generate(photo)}
-      >
-        <Icon name="surprise" />
-        {strings.generate}
-      </button>
+      <ActionButton action={generate} class="button strong" text />
       <ActionButton action={actions.explorer.sort} class="button" text />
       <Dials />
       <ActionButton action={actions.explorer.clear} class="button" text />

@@ -36,22 +36,14 @@ function UnderWay() {
 
 /** The state of the combination, its result, or the number of styles. */
 function Hint() {
-  const { explorer } = useApp();
+  const { explorer, actions } = useApp();
   const { parent, lastParents, unsorted } = explorer;
   const [shown, all] = [explorer.shown.value.length, explorer.items.value.length];
   if (parent.value) {
     return (
       <p class="explorer-hint">
         {strings.breedWith({ name: parent.value.name })}
-        <button
-          type="button"
-          class="button small"
-          onClick={() => {
-            parent.value = null;
-          }}
-        >
-          {strings.cancel}
-        </button>
+        <ActionButton action={actions.explorer.cancelCombining} class="button small" text />
       </p>
     );
   }

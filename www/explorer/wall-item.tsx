@@ -3,7 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Thumbnail, useInView } from '../ui/bitmap.tsx';
-import { IconButton } from '../ui/button.tsx';
+import { ActionButton } from '../ui/action-button.tsx';
 import { middleOf } from '../photos/cover.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
@@ -65,7 +65,7 @@ export function WallItem({
   const isSharp = useRef(false);
   isSharp.current = isInView && (isSharp.current || explorer.progress.value === null);
   const { style } = item;
-  const deeds = useStyleDeeds(style, photo);
+  const deeds = useStyleDeeds(style, photo, favourite);
   // A tile does not cut the face.
   const middle = middleOf(store.album.peek().get(item.photo.id)?.meta?.subjects ?? []);
   const canvas = useRef(null as HTMLCanvasElement | null);
@@ -99,7 +99,7 @@ export function WallItem({
         {...pointing(style.id, point)}
         onClick={() => {
           point(null);
-          if (isChosen) deeds.breed();
+          if (isChosen) deeds.breed.run();
           else explorer.enlarged.value = style.id;
         }}
       >
@@ -116,36 +116,12 @@ export function WallItem({
           <span class={family === 'parent' ? undefined : 'visually-hidden'}>{origin}</span>
         </span>
       )}
-      <IconButton
-        icon="heart"
-        label={strings.favourite}
-        pressed={favourite}
-        class="wall-heart"
-        onClick={deeds.favour}
-      />
+      <ActionButton action={deeds.favour} class="icon-button wall-heart" />
       <div class="wall-tools">
-        <IconButton icon="check" label={strings.useStyle} short={strings.styleShort.use} onClick={deeds.use} />
-        <IconButton
-          icon="designer"
-          label={strings.editInDesigner}
-          short={strings.styleShort.edit}
-          onClick={deeds.edit}
-        />
-        <IconButton
-          icon="breed"
-          label={strings.breed}
-          short={strings.styleShort.combine}
-          pressed={parent}
-          disabled={!photo}
-          onClick={deeds.breed}
-        />
-        <IconButton
-          icon="more"
-          label={strings.moreLikeThis}
-          short={strings.styleShort.similar}
-          disabled={!photo}
-          onClick={deeds.moreLike}
-        />
+        <ActionButton action={deeds.use} named />
+        <ActionButton action={deeds.edit} named />
+        <ActionButton action={{ ...deeds.breed, on: parent }} named />
+        <ActionButton action={deeds.moreLike} named />
       </div>
     </li>
   );

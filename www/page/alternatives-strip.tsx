@@ -4,9 +4,9 @@
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { usePageGlimpse } from '../ui/glimpse.tsx';
 import { pointing } from '../ui/pointing.ts';
-import { Icon } from '../ui/icon.tsx';
 import { Thumbnail, screenPixels, useInView } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { useSubjectsOf } from './subjects-of.ts';
@@ -17,7 +17,7 @@ import type { Point } from '../ui/pointing.ts';
 const BATCH = 24;
 
 export function Alternatives() {
-  const { store, alternatives, lettering, scheduler, ui } = useApp();
+  const { store, alternatives, lettering, scheduler, ui, actions } = useApp();
   const strip = useRef(null as HTMLUListElement | null);
   const end = useRef(null as HTMLLIElement | null);
   const atEnd = useInView(end);
@@ -49,18 +49,7 @@ export function Alternatives() {
 
   return (
     <section class="alternatives" aria-label={strings.alternatives} aria-busy={basis === ''} data-open={open}>
-      {ui.wide.value && (
-        <button
-          type="button"
-          class="tool ideas-head"
-          aria-expanded={open}
-          aria-label={open ? strings.foldIdeas : strings.unfoldIdeas}
-          onClick={ui.toggleIdeas}
-        >
-          <Icon name={open ? 'fold' : 'unfold'} />
-          <span>{strings.alternatives}</span>
-        </button>
-      )}
+      {ui.wide.value && <ActionButton action={actions.page.ideas} class="tool ideas-head" text opens />}
       <ul class="strip" ref={strip} onWheel={onWheel} onPointerLeave={() => glimpse.point(null)} hidden={!open}>
         {items.map((page, i) => (
           <Alternative key={`${basis}/${i}`} page={page} number={i + 1} point={glimpse.point} />

@@ -9,7 +9,6 @@ import { wordName } from '../document/word-names.ts';
 import { useApp } from '../ui/context.ts';
 import { isEnabled, now } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
-import { Icon } from '../ui/icon.tsx';
 import { BookProgress } from './book-progress.tsx';
 import type { Action } from '../ui/action.ts';
 import type { App } from '../ui/context.ts';
@@ -39,6 +38,14 @@ export function ContextBar({ bare = false }: { bare?: boolean }) {
   const usable = found?.tools.filter(isEnabled) ?? [];
   const first = usable.slice(0, found?.shown);
   const rest = found?.tools.filter((tool) => !first.includes(tool)) ?? [];
+  const more = {
+    label: strings.more,
+    icon: open ? 'unfold' : 'dots',
+    on: open,
+    run() {
+      ui.allTools.value = !open;
+    },
+  };
   return (
     <div
       class="context-bar"
@@ -55,19 +62,7 @@ export function ContextBar({ bare = false }: { bare?: boolean }) {
           {first.map((tool) => (
             <ActionButton key={now(tool.label)} action={tool} class="tool" text />
           ))}
-          {rest.length > 0 && (
-            <button
-              type="button"
-              class="tool"
-              aria-expanded={open}
-              onClick={() => {
-                ui.allTools.value = !open;
-              }}
-            >
-              <Icon name={open ? 'unfold' : 'dots'} />
-              <span>{strings.more}</span>
-            </button>
-          )}
+          {rest.length > 0 && <ActionButton action={more} class="tool" text opens />}
           {open && rest.map((tool) => <ActionButton key={now(tool.label)} action={tool} class="tool" text explains />)}
           {found.end && <ActionButton action={found.end} class="tool tool-end" text />}
         </>

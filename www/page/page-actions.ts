@@ -93,6 +93,13 @@ export function createPageActions({
       on: computed(() => ui.work.value === 'pages'),
       run: () => ui.toggleWork('pages'),
     },
+    ideas: {
+      label: computed(() => (ui.ideas.value ? strings.foldIdeas : strings.unfoldIdeas)),
+      short: strings.alternatives,
+      icon: computed(() => (ui.ideas.value ? 'fold' : 'unfold')),
+      on: ui.ideas,
+      run: ui.toggleIdeas,
+    },
     acceptCrops: {
       label: strings.betterCrops,
       help: strings.betterCropsWhy,

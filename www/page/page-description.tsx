@@ -2,6 +2,7 @@
 
 import { describePage } from './describing.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { styleOfPage } from '../styles/style-actions.ts';
 
@@ -13,21 +14,23 @@ export function PageDescription() {
   const style = styleOfPage(app);
   const text = describePage(page, store.album.value, style ? strings.styleTitle(style) : strings.ownStyle);
 
-  function copy() {
-    // The clipboard is only available on secure origins.
-    (navigator.clipboard?.writeText(text) ?? Promise.reject(new Error('no clipboard'))).then(
-      () => messages.note(strings.descriptionCopied),
-      () => messages.alert(strings.descriptionNotCopied({ text })),
-    );
-  }
+  const copy = {
+    label: strings.copyDescription,
+    help: strings.descriptionHelp,
+    run() {
+      // The clipboard is only available on secure origins.
+      (navigator.clipboard?.writeText(text) ?? Promise.reject(new Error('no clipboard'))).then(
+        () => messages.note(strings.descriptionCopied),
+        () => messages.alert(strings.descriptionNotCopied({ text })),
+      );
+    },
+  };
 
   return (
     <details class="page-description">
       <summary>{strings.description}</summary>
       <p class="quiet">{text}</p>
-      <button type="button" class="button small" title={strings.descriptionHelp} onClick={copy}>
-        {strings.copyDescription}
-      </button>
+      <ActionButton action={copy} class="button small" text />
     </details>
   );
 }
