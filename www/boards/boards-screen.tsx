@@ -9,7 +9,6 @@ import { NO_PRINT } from '../export/print.ts';
 import { strings } from '../strings/strings.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
-import { Icon } from '../ui/icon.tsx';
 import { Workspace } from '../ui/workspace.tsx';
 import { importShots } from './board-import.ts';
 import { BoardSettings } from './board-settings.tsx';
@@ -47,8 +46,6 @@ export function BoardsScreen() {
 function Tools() {
   const { boards, download, messages, actions } = useApp();
   const [format, setFormat] = useState(WAYS[0]);
-  const busy = download.progress.value !== null;
-  const none = boards.rows.value.length === 0;
 
   async function save() {
     try {
@@ -59,6 +56,13 @@ function Tools() {
     }
   }
 
+  const saveBoard = {
+    label: strings.boards.saveBoard,
+    icon: 'download',
+    enabled: boards.rows.value.length > 0,
+    why: download.progress.value === null ? '' : strings.exportRuns,
+    run: () => void save(),
+  };
   return (
     <div class="boards-tools">
       <ActionButton action={actions.boards.animatic} class="button" text />
@@ -75,10 +79,7 @@ function Tools() {
           </option>
         ))}
       </select>
-      <button type="button" class="button strong" disabled={busy || none} onClick={() => void save()}>
-        <Icon name="download" />
-        {strings.boards.saveBoard}
-      </button>
+      <ActionButton action={saveBoard} class="button strong" text />
     </div>
   );
 }
@@ -93,10 +94,11 @@ function ImportFile() {
   });
   return (
     <>
-      <button type="button" class="button" onClick={() => input.current?.click()}>
-        <Icon name="open" />
-        {strings.boards.importFile}
-      </button>
+      <ActionButton
+        action={{ label: strings.boards.importFile, icon: 'open', run: () => input.current?.click() }}
+        class="button"
+        text
+      />
       <input
         ref={input}
         type="file"

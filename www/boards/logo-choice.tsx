@@ -3,10 +3,10 @@
 import { useRef } from 'preact/hooks';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { DataPicture } from '../ui/data-picture.tsx';
-import { Icon } from '../ui/icon.tsx';
 import { importing } from '../ui/importing.ts';
 import { logoOf } from './logo-file.ts';
 
@@ -26,15 +26,13 @@ export function LogoChoice() {
     button.current?.focus();
   }
 
+  const choose = { label: chooseLogo, icon: 'open', run: () => input.current?.click() };
   return (
     <div class="field board-logo" role="group" aria-label={name}>
       <span aria-hidden="true">{name}</span>
       <span class="board-logo-tools">
         {logo !== '' && <DataPicture class="board-logo-picture" url={logo} alt={name} />}
-        <button type="button" class="button" ref={button} onClick={() => input.current?.click()}>
-          <Icon name="open" />
-          {chooseLogo}
-        </button>
+        <ActionButton action={choose} class="button" text button={button} />
         {logo !== '' && <IconButton icon="close" label={removeLogo} onClick={remove} />}
       </span>
       <ChosenFiles

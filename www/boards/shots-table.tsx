@@ -54,10 +54,11 @@ export function ShotsTable() {
         </p>
         {board.order.length > 0 && <ActionButton action={actions.boards.followPages} class="button" text />}
         <NewColumn />
-        <button type="button" class="button" onClick={() => void copy()}>
-          <Icon name="duplicate" />
-          {strings.boards.copy}
-        </button>
+        <ActionButton
+          action={{ label: strings.boards.copy, icon: 'duplicate', run: () => void copy() }}
+          class="button"
+          text
+        />
       </div>
       <div class="shots-scroll" tabIndex={-1}>
         <table ref={table}>

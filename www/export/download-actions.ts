@@ -22,6 +22,13 @@ export function createDownloadActions({
       run: () => void download.start(),
     },
     cancel: { label: strings.cancel, run: download.cancel },
+    hideMarks: {
+      label: strings.print.coarseHide,
+      enabled: computed(() => ui.printCheck.value !== null),
+      run: () => {
+        ui.printCheck.value = null;
+      },
+    },
     exportPages: {
       label: strings.export,
       icon: 'export',

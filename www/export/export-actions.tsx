@@ -1,7 +1,7 @@
 import { FORMATS } from './formats.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
-import { Icon } from '../ui/icon.tsx';
 import type { PageDocument } from '../engine/types.ts';
 import type { Format } from './formats.ts';
 import type { Wish } from './page-making.ts';
@@ -9,29 +9,22 @@ import type { Wish } from './page-making.ts';
 /** Actions of the export dialog. Copying always uses a PNG of this page. */
 export function ExportActions({ wish, page, close }: { wish: Wish; page: PageDocument | null; close: () => void }) {
   const { download } = useApp();
-  const off = wish.pages.length === 0 || download.progress.value !== null;
+  const ready = {
+    enabled: wish.pages.length > 0,
+    why: download.progress.value === null ? '' : strings.exportRuns,
+  };
   const act = (run: () => Promise<void>) => () => {
     void run();
     close();
   };
+  const save = { ...ready, label: strings.save, icon: 'download', run: act(() => download.saveAs(wish)) };
+  const copy = page && { ...ready, label: strings.copyPage, icon: 'duplicate', run: act(() => download.copy(page)) };
+  const share = { ...ready, label: strings.shareFile, icon: 'export', run: act(() => download.share(wish)) };
   return (
     <div class="export-actions">
-      <button type="button" class="button strong wide" disabled={off} onClick={act(() => download.saveAs(wish))}>
-        <Icon name="download" />
-        {strings.save}
-      </button>
-      {page && canCopy() && (
-        <button type="button" class="button" disabled={off} onClick={act(() => download.copy(page))}>
-          <Icon name="duplicate" />
-          {strings.copyPage}
-        </button>
-      )}
-      {canShare(wish.format) && (
-        <button type="button" class="button" disabled={off} onClick={act(() => download.share(wish))}>
-          <Icon name="export" />
-          {strings.shareFile}
-        </button>
-      )}
+      <ActionButton action={save} class="button strong wide" text />
+      {copy && canCopy() && <ActionButton action={copy} class="button" text />}
+      {canShare(wish.format) && <ActionButton action={share} class="button" text />}
     </div>
   );
 }

@@ -6,6 +6,7 @@ import { FORMATS, isArchive, isBoard, isList, pictureIn } from './formats.ts';
 import { USUAL_QUALITY } from './page-making.ts';
 import { PAGE_SIZES, scaled, sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { Bitmap } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { Dialog } from '../ui/dialog.tsx';
@@ -102,9 +103,13 @@ export function ExportDialog() {
   };
   const aspect = document ? document.page.width / document.page.height : width / height;
   const drawnWidth = Math.round(PREVIEW * Math.min(1, aspect));
-  const saveProject = () => {
-    void keeping.files.save();
-    close();
+  const saveProject = {
+    label: strings.save,
+    icon: 'download',
+    run() {
+      void keeping.files.save();
+      close();
+    },
   };
 
   return (
@@ -136,10 +141,7 @@ export function ExportDialog() {
                 <CleanChoice />
                 <p class="quiet">{strings.removeMetadataHelp}</p>
                 <div class="export-actions">
-                  <button type="button" class="button strong wide" onClick={saveProject}>
-                    <Icon name="download" />
-                    {strings.save}
-                  </button>
+                  <ActionButton action={saveProject} class="button strong wide" text />
                 </div>
               </>
             ) : onBoard || isList(format) ? (

@@ -3,6 +3,7 @@
 import { useMemo } from 'preact/hooks';
 import type { Geometry, PageDocument } from '../engine/types.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import type { Coarse } from './print.ts';
 import { COARSE, coarsePanels } from './print.ts';
@@ -97,16 +98,9 @@ export function CoarseMarks({ page, geometry }: { page: PageDocument; geometry: 
 
 /** Hides the marks. */
 export function CoarseHide() {
-  const { ui } = useApp();
-  const hide = () => {
-    ui.printCheck.value = null;
-  };
+  const { ui, actions } = useApp();
   if (ui.printCheck.value === null) return null;
-  return (
-    <button type="button" class="button coarse-hide" onClick={hide}>
-      {strings.print.coarseHide}
-    </button>
-  );
+  return <ActionButton action={actions.download.hideMarks} class="button coarse-hide" text />;
 }
 
 /** Width of a page on paper. */

@@ -5,10 +5,10 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { FilePick } from './file-pick.tsx';
 import { LivingChoice } from './living-choice.tsx';
-import { Icon } from '../ui/icon.tsx';
 import { AnimaticPlayer } from './animatic-player.tsx';
 import { USUAL } from './animatics.ts';
 import { clock } from './clock.ts';
@@ -43,10 +43,15 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
   const seconds = planned ? planned.plan.frames / planned.plan.rate : 0;
   const similar = pages ? 0 : boards.similar.value.size;
   const long = kind === 'gif' && seconds > GIF.mostSeconds;
-  const off = !planned || planned.plan.frames === 0 || long || download.progress.value !== null;
-  const save = () => {
-    void download.saveAs({ pages: [], format: kind, film: asked });
-    close();
+  const save = {
+    label: strings.save,
+    icon: 'download',
+    enabled: planned !== null && planned.plan.frames > 0,
+    why: long ? strings.reasons['animatic-long'] : download.progress.value === null ? '' : strings.exportRuns,
+    run() {
+      void download.saveAs({ pages: [], format: kind, film: asked });
+      close();
+    },
   };
   return (
     <div class="export animatic">
@@ -156,10 +161,7 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
         </p>
         {long && <p class="quiet">{strings.reasons['animatic-long']}</p>}
         <div class="export-actions">
-          <button type="button" class="button strong wide" disabled={off} onClick={save}>
-            <Icon name="download" />
-            {strings.save}
-          </button>
+          <ActionButton action={save} class="button strong wide" text />
         </div>
       </div>
     </div>

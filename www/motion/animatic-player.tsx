@@ -2,9 +2,9 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
-import { Icon } from '../ui/icon.tsx';
 import { clock } from './clock.ts';
 import { clipsOf, closeDrawn, drawFrame, frameAt, framesIn } from './frames.ts';
 import type { Planned } from './animatics.ts';
@@ -107,16 +107,14 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
         <canvas ref={canvas} role="img" aria-label={place} data-frame={frame} />
       </div>
       <div class="animatic-bar">
-        <button
-          type="button"
-          class="icon-button"
-          aria-label={playing ? strings.animatic.pause : strings.animatic.play}
-          title={playing ? strings.animatic.pause : strings.animatic.play}
-          disabled={count === 0}
-          onClick={toggle}
-        >
-          <Icon name={playing ? 'pause' : 'play'} />
-        </button>
+        <ActionButton
+          action={{
+            label: playing ? strings.animatic.pause : strings.animatic.play,
+            icon: playing ? 'pause' : 'play',
+            enabled: count > 0,
+            run: toggle,
+          }}
+        />
         <input
           type="range"
           aria-label={strings.animatic.position}

@@ -1,7 +1,7 @@
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
-import { Icon } from '../ui/icon.tsx';
 
 /** A button that chooses one file, and the name of the file with a button to remove it. */
 export function FilePick({
@@ -20,10 +20,11 @@ export function FilePick({
   const input = useRef(null as HTMLInputElement | null);
   return (
     <div class="file-pick">
-      <button type="button" class="button" disabled={off} onClick={() => input.current?.click()}>
-        <Icon name="add" />
-        {label}
-      </button>
+      <ActionButton
+        action={{ label, icon: 'add', enabled: !off, run: () => input.current?.click() }}
+        class="button"
+        text
+      />
       <input
         ref={input}
         type="file"
