@@ -1,7 +1,9 @@
 /** Tools of the brush as labelled buttons, and information about the mask. */
 
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { SIZES, TOOLS } from './retouching.ts';
+import type { Action } from '../ui/action.ts';
 import type { Mending } from '../engine/brush-module.ts';
 import type { Retouching } from './retouching.ts';
 
@@ -16,10 +18,8 @@ export function BrushTools({
 }) {
   const { brush } = strings;
   const { undoable, redoable, found } = retouching.told.value;
-  const mends = (how: Mending, label: string) => (
-    <button key={how} type="button" class="button" onClick={() => retouching.mend(how)}>
-      {label}
-    </button>
+  const mends = (how: Mending, label: string, why = '') => (
+    <Command action={{ label, why, run: () => void retouching.mend(how) }} />
   );
   return (
     <div class="brush-tools">
@@ -41,12 +41,8 @@ export function BrushTools({
       </div>
       <Size retouching={retouching} />
       <div class="brush-set">
-        <button type="button" class="button" disabled={!undoable} onClick={retouching.undo}>
-          {strings.undo}
-        </button>
-        <button type="button" class="button" disabled={!redoable} onClick={retouching.redo}>
-          {strings.redo}
-        </button>
+        <Command action={{ label: strings.undo, enabled: undoable, run: () => void retouching.undo() }} />
+        <Command action={{ label: strings.redo, enabled: redoable, run: () => void retouching.redo() }} />
       </div>
       <div class="brush-set" role="group" aria-label={brush.border}>
         {mends('Grow', brush.grow)}
@@ -58,26 +54,18 @@ export function BrushTools({
         {mends('Everything', brush.everything)}
         {mends('Nothing', brush.nothing)}
         {mends('Invert', brush.invert)}
-        <button
-          type="button"
-          class="button"
-          disabled={found}
-          title={found ? brush.isFound : undefined}
-          onClick={() => retouching.mend('Found')}
-        >
-          {brush.found}
-        </button>
+        {mends('Found', brush.found, found ? brush.isFound : '')}
       </div>
       <div class="brush-set">
-        <button type="button" class="button" onClick={cancel}>
-          {brush.cancel}
-        </button>
-        <button type="button" class="button strong" onClick={done}>
-          {strings.doneEditing}
-        </button>
+        <Command action={{ label: brush.cancel, run: cancel }} />
+        <ActionButton action={{ label: strings.doneEditing, run: done }} class="button strong" text />
       </div>
     </div>
   );
+}
+
+function Command({ action }: { action: Action }) {
+  return <ActionButton action={action} class="button" text />;
 }
 
 /**

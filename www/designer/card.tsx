@@ -6,6 +6,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';
 import { partsOf } from '../painters/references.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
@@ -100,6 +101,15 @@ export function Card({
   const ranged = (param: BlockParam) => (model && param.id === 'painter' ? { ...param, max: model.painters } : param);
 
   const name = strings.card({ name: strings.blockName(block), n: at + 1 });
+  const more = [
+    { label: strings.moveAcross, run: moveAcross },
+    { label: strings.duplicate, run: () => designer.change({ type: 'duplicate', layer, at }) },
+    {
+      label: strings.reset,
+      enabled: block.params.length > 0,
+      run: () => designer.change({ type: 'reset', layer, at }),
+    },
+  ];
   return (
     <li
       class="card"
@@ -142,20 +152,9 @@ export function Card({
         />
         <IconButton icon="bin" label={strings.remove} short={strings.cardShort.remove} onClick={remove} />
         <Menu icon="dots" label={strings.more}>
-          <button type="button" class="button" onClick={moveAcross}>
-            {strings.moveAcross}
-          </button>
-          <button type="button" class="button" onClick={() => designer.change({ type: 'duplicate', layer, at })}>
-            {strings.duplicate}
-          </button>
-          <button
-            type="button"
-            class="button"
-            disabled={block.params.length === 0}
-            onClick={() => designer.change({ type: 'reset', layer, at })}
-          >
-            {strings.reset}
-          </button>
+          {more.map((action) => (
+            <ActionButton key={action.label} action={action} class="button" text />
+          ))}
         </Menu>
         <span class="card-moves">
           <IconButton
@@ -177,13 +176,14 @@ export function Card({
       {misfit && (
         <p class="card-lacks">
           <span>{strings.lacks[misfit.lacks]}</span>
-          <button
-            type="button"
+          <ActionButton
+            action={{
+              label: strings.fix[misfit.lacks],
+              run: () => designer.change({ type: 'add', layer, at, blocks: [misfit.remedy] }),
+            }}
             class="button small"
-            onClick={() => designer.change({ type: 'add', layer, at, blocks: [misfit.remedy] })}
-          >
-            {strings.fix[misfit.lacks]}
-          </button>
+            text
+          />
         </p>
       )}
       {block.params.filter(asked).map((param) => (

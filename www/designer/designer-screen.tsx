@@ -7,7 +7,6 @@ import { LAYERS } from './designer.ts';
 import { strings } from '../strings/strings.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
-import { Icon } from '../ui/icon.tsx';
 import { Workspace } from '../ui/workspace.tsx';
 import { BlockName } from './block-name.tsx';
 import { useCardDrag } from './card-drag.ts';
@@ -61,6 +60,15 @@ export function Designer() {
   const empty = LAYERS.every((layer) => draft[layer].length === 0);
   const { carried } = drag;
   const lifted = carried?.block !== undefined ? designer.blocks.value.find(({ id }) => id === carried.block) : null;
+  const addBlock = {
+    label: strings.addBlock,
+    icon: 'add',
+    on: adding,
+    run() {
+      designer.place.value = { ...designer.place.peek(), at: null };
+      setAdding(!adding);
+    },
+  };
   return (
     <Workspace
       title={strings.styleDesigner}
@@ -76,19 +84,7 @@ export function Designer() {
       )}
       <div class="lanes-side">
         <header class="lanes-head">
-          <button
-            type="button"
-            class="button strong"
-            ref={opener}
-            aria-expanded={adding}
-            onClick={() => {
-              designer.place.value = { ...designer.place.peek(), at: null };
-              setAdding(!adding);
-            }}
-          >
-            <Icon name="add" />
-            {strings.addBlock}
-          </button>
+          <ActionButton action={addBlock} class="button strong" text opens button={opener} />
         </header>
         <div class="lanes">
           {LAYERS.map((layer) => (

@@ -6,8 +6,8 @@
 
 import { FOREGROUND } from '../engine/design.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
-import { Icon } from '../ui/icon.tsx';
 import { Card } from './card.tsx';
 import { WhereChoice } from './where-choice.tsx';
 import type { CardDrag } from './card-drag.ts';
@@ -91,10 +91,11 @@ export function Lane({
         onSet={(part) => designer.change({ type: 'layer-where', layer, part })}
       />
       {!adding && (
-        <button type="button" class="button small lane-add" onClick={() => onAdd(null)}>
-          <Icon name="add" />
-          {strings.addToLayer[layer]}
-        </button>
+        <ActionButton
+          action={{ label: strings.addToLayer[layer], icon: 'add', run: () => onAdd(null) }}
+          class="button small lane-add"
+          text
+        />
       )}
     </section>
   );

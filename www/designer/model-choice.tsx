@@ -5,6 +5,7 @@ import { ChosenFiles } from '../photos/chosen-files.tsx';
 import { partsOf, referenceOf } from '../painters/references.ts';
 import { endingsOf } from '../engine/file-kinds.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { importing } from '../ui/importing.ts';
@@ -41,6 +42,13 @@ export function ModelChoice({
     button.current?.focus();
   }
 
+  const useBuiltIn = {
+    label: strings.useBuiltIn,
+    run() {
+      onSet('');
+      button.current?.focus();
+    },
+  };
   return (
     <div class="parameter model" role="group" aria-label={label} title={help}>
       {(models.length > 0 || missing) && (
@@ -76,21 +84,13 @@ export function ModelChoice({
         </p>
       )}
       <span class="model-tools">
-        <button type="button" class="button small" ref={button} onClick={() => input.current?.click()}>
-          {strings.ownModel}
-        </button>
-        {value !== '' && (
-          <button
-            type="button"
-            class="button small"
-            onClick={() => {
-              onSet('');
-              button.current?.focus();
-            }}
-          >
-            {strings.useBuiltIn}
-          </button>
-        )}
+        <ActionButton
+          action={{ label: strings.ownModel, run: () => input.current?.click() }}
+          class="button small"
+          text
+          button={button}
+        />
+        {value !== '' && <ActionButton action={useBuiltIn} class="button small" text />}
       </span>
       <ChosenFiles input={input} accept={endingsOf('painters')} label={strings.modelFile} onFiles={take} />
     </div>

@@ -7,6 +7,7 @@ import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';
 import { followerOf, LAYERS } from './designer.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { Bitmap } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
@@ -63,6 +64,12 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
     focusCard(place);
   }
 
+  const toEnd = {
+    label: strings.toEnd,
+    run() {
+      designer.place.value = { layer, at: null };
+    },
+  };
   return (
     <section
       class="palette"
@@ -106,15 +113,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
       {follower ? (
         <p class="palette-place">
           <span>{strings.goesBefore({ card: strings.card({ name: strings.blockName(follower), n: to + 1 }) })}</span>
-          <button
-            type="button"
-            class="button small"
-            onClick={() => {
-              designer.place.value = { layer, at: null };
-            }}
-          >
-            {strings.toEnd}
-          </button>
+          <ActionButton action={toEnd} class="button small" text />
         </p>
       ) : (
         <p class="quiet palette-place">{strings.dragBlock}</p>

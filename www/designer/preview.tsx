@@ -3,6 +3,7 @@
 import { useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
 import { PLAIN } from '../photos/cover.ts';
 import { modelsOf } from '../painters/references.ts';
@@ -10,9 +11,21 @@ import { useHero } from '../photos/hero.ts';
 import { PhotoPicker, useDrawnPhotos } from '../photos/photo-picker.tsx';
 import { Comparison } from './comparison.tsx';
 import { pageSubject, photoSubject } from './preview-subjects.ts';
+import type { Signal } from '@preact/signals';
+import type { Action } from '../ui/action.ts';
 import type { Designed } from '../engine/design.ts';
 
 const KINDS = ['photo', 'page'] as const;
+
+function toggle(label: string, on: Signal<boolean>): Action {
+  return {
+    label,
+    on,
+    run() {
+      on.value = !on.peek();
+    },
+  };
+}
 
 export function Preview({ onStages }: { onStages: (designed: Designed) => void }) {
   const { store, engine, designer, lettering, ownPainters } = useApp();
@@ -78,29 +91,14 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
             </button>
           ))}
         </div>
-        <button
-          type="button"
-          class="button small"
-          aria-pressed={compare.value}
-          onClick={() => {
-            compare.value = !compare.value;
-          }}
-        >
-          {strings.compare}
-        </button>
+        <ActionButton action={toggle(strings.compare, compare)} class="button small" text />
         {kind === 'photo' && (
           <>
-            <button
-              type="button"
+            <ActionButton
+              action={{ ...toggle(strings.fourPhotos, four), enabled: ids.length > 1 }}
               class="button small"
-              aria-pressed={four.value}
-              disabled={ids.length < 2}
-              onClick={() => {
-                four.value = !four.value;
-              }}
-            >
-              {strings.fourPhotos}
-            </button>
+              text
+            />
             <PhotoPicker
               label={strings.previewPhotos}
               facts={facts}

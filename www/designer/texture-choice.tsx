@@ -3,6 +3,7 @@
 import { useRef } from 'preact/hooks';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { DataPicture } from '../ui/data-picture.tsx';
@@ -37,14 +38,16 @@ export function TextureChoice({
     button.current?.focus();
   }
 
+  const choose = {
+    label: value === '' ? strings.chooseTexture : strings.otherTexture,
+    run: () => input.current?.click(),
+  };
   return (
     <div class="parameter texture" role="group" aria-label={label} title={help}>
       <span aria-hidden="true">{label}</span>
       <span class="texture-tools">
         {value !== '' && <DataPicture class="texture-swatch" url={value} alt={strings.textureShown} />}
-        <button type="button" class="button small" ref={button} onClick={() => input.current?.click()}>
-          {value === '' ? strings.chooseTexture : strings.otherTexture}
-        </button>
+        <ActionButton action={choose} class="button small" text button={button} />
         {value !== '' && <IconButton icon="close" label={strings.removeTexture} onClick={remove} />}
       </span>
       <ChosenFiles input={input} accept="image/png,image/jpeg" label={strings.textureFile} onFiles={take} />

@@ -46,10 +46,11 @@ export function ImitationScreen() {
     <div class="imitation-bar">
       {picture && <ChoosePicture strong={false} />}
       {picture && fact && !running && (
-        <button type="button" class="button" onClick={() => void imitation.search(fact.id)}>
-          <Icon name="surprise" />
-          {strings.imitationAgain}
-        </button>
+        <ActionButton
+          action={{ label: strings.imitationAgain, icon: 'surprise', run: () => void imitation.search(fact.id) }}
+          class="button"
+          text
+        />
       )}
     </div>
   );
@@ -96,12 +97,14 @@ export function ImitationScreen() {
 function ChoosePicture({ strong }: { strong: boolean }) {
   const { imitation } = useApp();
   const input = useRef(null as HTMLInputElement | null);
+  const choose = {
+    label: strong ? strings.imitationChoose : strings.imitationOther,
+    icon: 'open',
+    run: () => input.current?.click(),
+  };
   return (
     <>
-      <button type="button" class={strong ? 'button strong' : 'button'} onClick={() => input.current?.click()}>
-        <Icon name="open" />
-        {strong ? strings.imitationChoose : strings.imitationOther}
-      </button>
+      <ActionButton action={choose} class={strong ? 'button strong' : 'button'} text />
       <ChosenFiles input={input} accept={PICTURES} label={strings.imitationFile} onFiles={imitation.take} />
     </>
   );
@@ -161,9 +164,11 @@ function Status({ fact }: { fact: Shown | null }) {
       )}
       {done === null && imitation.fault.value !== null && <p class="imitation-fault">{imitation.fault.value}</p>}
       {done === null && imitation.doubted.value && fact && (
-        <button type="button" class="button small" onClick={() => imitation.insist(fact.id)}>
-          {strings.imitationAnyway}
-        </button>
+        <ActionButton
+          action={{ label: strings.imitationAnyway, run: () => imitation.insist(fact.id) }}
+          class="button small"
+          text
+        />
       )}
       {done === null && imitation.proposals.value.length > 0 && (
         <span class="count">{strings.imitationFound({ n: imitation.proposals.value.length })}</span>

@@ -1,9 +1,9 @@
 /** Sounds of the imported videos: a button for each video starts the detection, and a list offers sound effects. */
 
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
-import { Icon } from '../ui/icon.tsx';
 import type { Video } from '../document/album.ts';
 import type { Proposal } from './film-sounds.ts';
 
@@ -25,18 +25,16 @@ function FilmSounds({ video }: { video: Video }) {
   const stage = heard && 'stage' in heard ? heard.stage : undefined;
   const events = heard && 'events' in heard ? heard.events : undefined;
   const found = events && filmSounds.proposals(video, events);
+  const hear = {
+    label: says.hear,
+    icon: 'effect',
+    why: stage === undefined ? '' : says[stage],
+    run: () => void filmSounds.hear(video),
+  };
   return (
     <>
       {/* The button stays in place during detection, so that it keeps the keyboard focus. */}
-      <button
-        type="button"
-        class="button small"
-        aria-disabled={stage !== undefined}
-        onClick={() => void filmSounds.hear(video)}
-      >
-        <Icon name="effect" />
-        {says.hear}
-      </button>
+      <ActionButton action={hear} class="button small" text tells />
       {stage && (
         <div class="reading">
           <progress class="progress" aria-label={says[stage]} />

@@ -1,4 +1,4 @@
-/** Actions that add text items, and actions of the selected text item. */
+/** Actions that add text items, actions of the selected text item, and actions of all unplaced text. */
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
@@ -34,7 +34,12 @@ export function createWordActions({ store, ui, lettering }: Pick<App, 'store' | 
 /** The text size changes by this factor with each press. */
 const GROWTH = 1.12;
 
-export function createTextActions({ ui, lettering }: Pick<App, 'ui' | 'lettering'>) {
+export function createTextActions({
+  store,
+  ui,
+  lettering,
+  subtitling,
+}: Pick<App, 'store' | 'ui' | 'lettering' | 'subtitling'>) {
   const { chosen, mode } = lettering;
   const word = computed(() => lettering.words.value[chosen.value]);
   const box = computed(() => lettering.boxes.value[chosen.value]);
@@ -51,6 +56,10 @@ export function createTextActions({ ui, lettering }: Pick<App, 'ui' | 'lettering
     const { size } = box.peek() ?? {};
     if (size === undefined) return;
     lettering.edit(chosen.peek(), { size: Math.min(MOST_SIZE, Math.max(LEAST_SIZE, size * by)) }, lettering.step());
+  }
+
+  async function putScript() {
+    if (await subtitling.put(subtitling.draft.peek())) subtitling.draft.value = '';
   }
 
   return {
@@ -108,6 +117,20 @@ export function createTextActions({ ui, lettering }: Pick<App, 'ui' | 'lettering
       keys: ['Delete', 'Backspace'],
       enabled,
       run: () => lettering.remove(chosen.peek()),
+      undo: 'step',
+    },
+    putScript: {
+      label: strings.putScript,
+      icon: 'balloon',
+      enabled: computed(() => subtitling.draft.value.trim() !== '' && store.page.value !== null),
+      run: () => void putScript(),
+      undo: 'step',
+    },
+    dropAll: {
+      label: strings.dropAllWaiting,
+      icon: 'bin',
+      enabled: computed(() => lettering.waiting.value.length > 0),
+      run: () => lettering.drop(lettering.waiting.peek().map((_, i) => i)),
       undo: 'step',
     },
   } satisfies Record<string, Action>;

@@ -116,7 +116,7 @@ function List() {
 
 /** Words whose photos no page shows. */
 function Waiting() {
-  const { lettering } = useApp();
+  const { lettering, actions } = useApp();
   const words = lettering.waiting.value;
   if (words.length === 0) return null;
   return (
@@ -132,23 +132,16 @@ function Waiting() {
           </li>
         ))}
       </ul>
-      <button type="button" class="button small" onClick={() => lettering.drop(words.map((_, i) => i))}>
-        <Icon name="bin" />
-        {strings.dropAllWaiting}
-      </button>
+      <ActionButton action={actions.text.dropAll} class="button small" text />
     </details>
   );
 }
 
 /** Scripts and subtitles, which become balloons. */
 function Speech() {
-  const { subtitling, store } = useApp();
+  const { subtitling, actions } = useApp();
   const file = useRef(null as HTMLInputElement | null);
   const script = subtitling.draft.value;
-
-  async function put() {
-    if (await subtitling.put(subtitling.draft.peek())) subtitling.draft.value = '';
-  }
 
   return (
     <fieldset class="subtitles">
@@ -191,19 +184,12 @@ function Speech() {
         <span>{strings.soundsAsEffects}</span>
       </label>
       <div class="speech-deeds">
-        <button
-          type="button"
+        <ActionButton action={actions.text.putScript} class="button small" text />
+        <ActionButton
+          action={{ label: strings.addSubtitles, icon: 'open', run: () => file.current?.click() }}
           class="button small"
-          disabled={script.trim() === '' || store.page.value === null}
-          onClick={() => void put()}
-        >
-          <Icon name="balloon" />
-          {strings.putScript}
-        </button>
-        <button type="button" class="button small" onClick={() => file.current?.click()}>
-          <Icon name="open" />
-          {strings.addSubtitles}
-        </button>
+          text
+        />
       </div>
       <ChosenFiles
         input={file}
