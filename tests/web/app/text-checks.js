@@ -132,3 +132,30 @@ export function cutTexts(page) {
     return [...new Set(wrong)];
   });
 }
+
+/**
+ * Returns labels of buttons and tabs that continue on another line within a word. Lines of Japanese end anywhere.
+ * @param {Page} page
+ */
+export function brokenWords(page) {
+  return page.evaluate(() => {
+    /** @type {string[]} */
+    const wrong = [];
+    const cover = document.querySelector('dialog[open]') ?? document.querySelector('.workspace');
+    for (const control of document.querySelectorAll('button, summary, [role=tab]')) {
+      if (!control.checkVisibility({ visibilityProperty: true }) || (cover && !cover.contains(control))) continue;
+      const walker = document.createTreeWalker(control, NodeFilter.SHOW_TEXT);
+      for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+        const text = node.textContent ?? '';
+        for (const { 0: word, index } of text.matchAll(/[\p{Script=Latin}\p{N}]+/gu)) {
+          const range = document.createRange();
+          range.setStart(node, index);
+          range.setEnd(node, index + word.length);
+          const lines = new Set([...range.getClientRects()].map(({ top }) => Math.round(top)));
+          if (lines.size > 1) wrong.push(`${word} in ${text}`);
+        }
+      }
+    }
+    return [...new Set(wrong)];
+  });
+}

@@ -4,7 +4,7 @@
 import { readFile } from 'node:fs/promises';
 import { lookAtScreens, openFour } from '../screens.js';
 import { accessible, add, expect, idle, offences, test } from '../support.js';
-import { cutTexts, unreachable } from '../text-checks.js';
+import { brokenWords, cutTexts, unreachable } from '../text-checks.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
@@ -48,6 +48,9 @@ async function faults(page) {
     found['lost with wide text'] = await unreachable(page);
     await setStyle(page, '');
   } else {
+    found['broken words'] = await brokenWords(page);
+    await resize(page, 390, height);
+    found['broken words at 390 pixels'] = await brokenWords(page);
     await resize(page, 320, 568);
     found['lost at 320 pixels'] = await unreachable(page);
     // A window of 1280 pixels at a zoom of 200 %.

@@ -5,6 +5,7 @@ import { covered } from '../../covered.js';
 import { drawn, region, startEmpty } from '../style-designer.js';
 import { panel } from '../panels.js';
 import { SIX, drop, expect, idle, openBoard, reach, sharedBoardTest as test } from '../support.js';
+import { brokenWords } from '../text-checks.js';
 import { expectTouchTargets } from '../touch.js';
 
 /** @typedef {import('../support.js').Page} Page */
@@ -63,6 +64,15 @@ async function openSliders(page) {
   await drawn(page);
   const sliders = region(page).locator('.parameter').getByRole('slider');
   expect([await isInside(sliders.nth(0)), await isInside(sliders.nth(1))]).toEqual([true, true]);
+}
+
+/** Checks the labels at the widths of two phones. @param {Page} page @param {string} screen */
+async function expectWholeWords(page, screen) {
+  for (const width of [360, PORTRAIT.width]) {
+    await page.setViewportSize({ ...PORTRAIT, width });
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
+    expect([screen, width, await brokenWords(page)]).toEqual([screen, width, []]);
+  }
 }
 
 for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
@@ -140,6 +150,26 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
         await expect.poll(() => isFree(button(page, 'Help and keyboard shortcuts'))).toBe(true);
         await button(page, 'Help and keyboard shortcuts').tap();
         await expect(page.getByRole('dialog').getByRole('searchbox')).toBeVisible();
+      });
+
+      test('no label of a bar breaks within a word', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        await expectWholeWords(page, 'board');
+        await panel(page, 2).tap();
+        await expectWholeWords(page, 'panel');
+        await button(page, 'More').tap();
+        await expectWholeWords(page, 'all tools of a panel');
+        await button(page, 'Crop').tap();
+        await expectWholeWords(page, 'crop');
+        await page.keyboard.press('Escape');
+        await button(page, 'Text').tap();
+        await button(page, 'Add balloon').tap();
+        await page.keyboard.press('Enter');
+        await expectWholeWords(page, 'text');
+        await button(page, 'Menu').tap();
+        await button(page, 'Style designer').tap();
+        await drawn(page);
+        await expectWholeWords(page, 'designer');
       });
 
       test('the designer shows two sliders below the preview', async ({ page }) => {

@@ -3,7 +3,7 @@
 
 import { LONGEST, STRINGS, englishLeft, lookInLanguage, onlyEnglish, speakLongest } from '../languages.js';
 import { expect, idle, openBoard, test } from '../support.js';
-import { cutTexts, unreachable } from '../text-checks.js';
+import { brokenWords, cutTexts, unreachable } from '../text-checks.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 /** @typedef {import('../languages.js').Strings} Strings */
@@ -26,7 +26,11 @@ async function checkScreens(page, code, strings) {
   /** @type {Record<string, string[]>} */
   const wrong = {};
   await lookInLanguage(page, strings, async (screen) => {
-    const found = [...(await cutTexts(page)), ...(await englishLeft(page, english)).map((text) => `English: ${text}`)];
+    const found = [
+      ...(await cutTexts(page)),
+      ...(await brokenWords(page)).map((text) => `broken: ${text}`),
+      ...(await englishLeft(page, english)).map((text) => `English: ${text}`),
+    ];
     if (found.length > 0) wrong[screen] = found;
   });
   await expect(page.locator('html')).toHaveAttribute('lang', code);
