@@ -19,6 +19,8 @@ const MOST_FOR_EFFECTS = 20;
 const GAP = 8;
 /** Minimum room above and below the text together, in CSS pixels. */
 const LEAST_PAD = 8;
+/** Width of the outline of the field, which stays on the page, in CSS pixels. */
+const OUTLINE = 3;
 /** Room between the text and the outline, in parts of the width: an oval is narrow at the ends. */
 const PADS = { balloon: 0.1, caption: 0.05, effect: 0.03 };
 
@@ -43,9 +45,9 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
     const area = field.current as HTMLTextAreaElement;
     const page = area.closest('.page') as HTMLElement;
     const least = window.matchMedia('(pointer: coarse)').matches ? LEAST_FOR_FINGERS : LEAST_FOR_WORDS;
-    const text = Math.max(least, box.size * page.clientWidth);
-    const largest = isEffect ? Math.min(MOST_FOR_EFFECTS, text) : text;
     const fit = () => {
+      const text = Math.max(least, box.size * page.clientWidth);
+      const largest = isEffect ? Math.min(MOST_FOR_EFFECTS, text) : text;
       area.style.fontSize = `${largest}px`;
       const now = lettering.measured(index, area.value || word.text) ?? box;
       // The drawn balloon extends at least over the field.
@@ -62,12 +64,16 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
     };
     fit();
     area.addEventListener('input', fit);
+    // A keyboard of the screen can make the page smaller.
+    const resized = new ResizeObserver(fit);
+    resized.observe(page);
     void loadFont(box.font).then(() => area.isConnected && fit());
     // The focus brings the keyboard of the screen, which makes the window that is seen lower a moment later.
     const lower = liftAbove(area);
     area.focus({ preventScroll: true });
     area.select();
     return () => {
+      resized.disconnect();
       lower();
       if (lettering.editing.peek() === index) lettering.editing.value = -1;
     };
@@ -130,7 +136,7 @@ function keepInside(
   page: HTMLElement,
 ) {
   const inside = (at: number, length: number, room: number) =>
-    Math.max(length / 2 - at, Math.min(0, room - at - length / 2));
+    Math.max(OUTLINE + length / 2 - at, Math.min(0, room - OUTLINE - at - length / 2));
   style.marginTop = `${inside(offsetTop, offsetHeight, page.clientHeight)}px`;
   style.marginLeft = `${inside(offsetLeft, offsetWidth, page.clientWidth)}px`;
 }
@@ -146,7 +152,7 @@ function grow(area: HTMLTextAreaElement, page: HTMLElement, size: readonly [numb
   Object.assign(style, { width: `${across}px`, height: '0', paddingBlock: '0', margin: '0' });
   style.paddingInline = `${across * pad}px`;
   const text = area.scrollHeight;
-  const tall = Math.min(page.clientHeight, Math.max(high, text + LEAST_PAD));
+  const tall = Math.min(page.clientHeight - 2 * OUTLINE, Math.max(high, text + LEAST_PAD));
   const border = area.offsetHeight;
   style.height = `${tall}px`;
   style.paddingBlock = `${Math.max(0, (tall - text - border) / 2)}px`;

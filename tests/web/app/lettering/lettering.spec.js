@@ -19,7 +19,7 @@ import {
   tab,
   sharedBoardTest as test,
 } from '../support.js';
-import { box, drawnFill, inked, word, write } from '../text-items.js';
+import { box, drawnFill, inked, openWords, word, write } from '../text-items.js';
 
 const VIDEO = new URL('../../../videos/album.mp4', import.meta.url);
 
@@ -39,6 +39,35 @@ test('text items are added, edited and drawn, and each step can be undone', asyn
   await expect(word(page, /: /)).toHaveCount(0);
   await press(page, 'Redo');
   await expect(word(page, 'Balloon: HELLO')).toBeVisible();
+});
+
+test('a long text at the top stays on the page while the page becomes smaller', async ({ page }) => {
+  await openBoard(page);
+  await openWords(page);
+  await page.getByRole('button', { name: 'Add balloon' }).click();
+  const field = page.getByRole('textbox', { name: /^Text of/ });
+  await expect(field).toBeFocused();
+  await page.keyboard.insertText(
+    'This text goes on and on, and it grows while a person types it into the balloon. '.repeat(2),
+  );
+  /** Pixels between the field and the nearest edge of the page. */
+  const room = async () => {
+    const [sheet, text] = [await box(page.locator('.page')), await box(field)];
+    return Math.min(
+      text.x - sheet.x,
+      text.y - sheet.y,
+      sheet.x + sheet.width - text.x - text.width,
+      sheet.y + sheet.height - text.y - text.height,
+    );
+  };
+  // The outline of the field is on the page.
+  expect(await room()).toBeGreaterThanOrEqual(2.5);
+  const { width } = await box(page.locator('.page'));
+  const window = /** @type {{ width: number, height: number }} */ (page.viewportSize());
+  await page.setViewportSize({ ...window, height: Math.round(window.height * 0.7) });
+  await expect.poll(async () => (await box(page.locator('.page'))).width).toBeLessThan(0.9 * width);
+  await expect.poll(room).toBeGreaterThanOrEqual(2.5);
+  await page.setViewportSize(window);
 });
 
 test('the list of text has the reading order, and text is moved in it by drag, by keys and by a button', async ({
