@@ -2,6 +2,7 @@ import { beforeEach, describe, expect, test } from 'vitest';
 import { createLettering } from './lettering.ts';
 import { createSelection } from '../page/panels/selection.ts';
 import { fakeApp } from '../document/testing.ts';
+import { wordName } from '../document/word-names.ts';
 import type { PageDocument, Word } from '../engine/types.ts';
 import type { KnownPhoto } from '../engine/words.ts';
 
@@ -68,6 +69,17 @@ describe('words', () => {
     await lettering.add('caption');
     expect(lettering.words.value[1].panel).toBe(1);
     pages.undo();
+    pages.undo();
+    expect(lettering.words.value).toEqual([]);
+  });
+
+  test('a title belongs to the page instead of a panel, in the lettering of titles', async () => {
+    selection.set([1]);
+    expect(await lettering.add('title')).toBe(true);
+    const [title] = lettering.words.value;
+    expect(title).toMatchObject({ kind: 'caption', text: 'Our story', font: 'bangers', boxless: true, auto: true });
+    expect([title.panel ?? null, title.photo ?? null]).toEqual([null, null]);
+    expect(wordName(title)).toBe('Title: Our story');
     pages.undo();
     expect(lettering.words.value).toEqual([]);
   });

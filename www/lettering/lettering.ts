@@ -6,7 +6,7 @@
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { language, strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
-import { wordName } from '../document/word-names.ts';
+import { TITLE_FONT, wordName } from '../document/word-names.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { chainOf, hangsOn, joinedBefore, parted } from './joining.ts';
 import { anchored, pagePoint } from './word-places.ts';
@@ -20,6 +20,9 @@ import type { Signal } from '@preact/signals';
 
 /** Allowed widths of text items, in page widths. */
 const [NARROWEST, WIDEST] = [0.04, 0.96];
+
+/** A new title: as wide as the page, in the font of a book's title, and at the top of the page if no face is there. */
+const TITLE: Partial<Word> = { font: TITLE_FONT, boxless: true, size: 0.1, width: WIDEST };
 
 /** An edited text item belongs to the user: neither Shuffle nor a new book replaces it. */
 const BY_HAND = { made: undefined, book: undefined, number: undefined };
@@ -149,34 +152,33 @@ export function createLettering({
     marked.value = index;
   }
 
-  /**
-   * Adds a text item to the selected panel. Another one goes to the same panel while the first is chosen. Without a
-   * selection, it goes to the first panel without text.
-   * @returns whether it is there
-   */
-  async function add(kind: Word['kind']): Promise<boolean> {
+  /** @returns whether a new text item is there */
+  async function add(role: Word['kind'] | 'title'): Promise<boolean> {
     const page = store.page.peek();
     if (!page) return false;
-    const busy = new Set(words.peek().map(({ panel }) => panel));
-    const free = page.panels.findIndex((_, i) => !busy.has(i));
-    // The panel of the chosen text, if the user selected that panel for it.
-    const again = target === words.peek()[chosen.peek()]?.panel ? target : undefined;
-    target = selection.panels.peek()[0] ?? again;
-    const panel = target ?? Math.max(0, free);
-    const item: Word = {
-      kind,
-      text: strings.wordSample[kind],
-      panel,
-      photo: photoOn(page, panel),
-      auto: true,
-      ...(kind === 'effect' ? { angle: -8 } : {}),
-    };
+    const text = strings.wordSample[role];
+    const item: Word =
+      role === 'title' ? { ...TITLE, kind: 'caption', text, auto: true } : { ...onPanel(role, page), text };
     const gesture = step();
     if ((await addAll([item], gesture)) === 0) return false;
     const index = words.peek().length - 1;
     latest = { index, gesture };
     choose(index);
     return true;
+  }
+
+  /**
+   * A new text item on the selected panel. Another one goes to the same panel while the first is chosen. Without a
+   * selection, it goes to the first panel without text.
+   */
+  function onPanel(kind: Word['kind'], page: PageDocument): Omit<Word, 'text'> {
+    const busy = new Set(words.peek().map(({ panel }) => panel));
+    const free = page.panels.findIndex((_, i) => !busy.has(i));
+    // The panel of the chosen text, if the user selected that panel for it.
+    const again = target === words.peek()[chosen.peek()]?.panel ? target : undefined;
+    target = selection.panels.peek()[0] ?? again;
+    const panel = target ?? Math.max(0, free);
+    return { kind, panel, photo: photoOn(page, panel), auto: true, ...(kind === 'effect' ? { angle: -8 } : {}) };
   }
 
   /** @returns number of added items on the page */

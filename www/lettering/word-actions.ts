@@ -28,7 +28,12 @@ export function createWordActions({ store, ui, lettering }: Pick<App, 'store' | 
     lettering.editing.value = lettering.words.peek().length - 1;
   }
 
-  return { addCaption: added('caption'), addBalloon: added('balloon'), addEffect: added('effect') };
+  return {
+    addCaption: added('caption'),
+    addBalloon: added('balloon'),
+    addEffect: added('effect'),
+    addTitle: added('title'),
+  };
 }
 
 /** The text size changes by this factor with each press. */

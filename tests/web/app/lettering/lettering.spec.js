@@ -41,6 +41,16 @@ test('text items are added, edited and drawn, and each step can be undone', asyn
   await expect(word(page, 'Balloon: HELLO')).toBeVisible();
 });
 
+test('a title goes from one side of the page to the other, and Undo removes it', async ({ page }) => {
+  await openBoard(page);
+  await write(page, 'title', 'Summer');
+  const [title, sheet] = [await box(word(page, 'Title: Summer')), await box(page.locator('.page'))];
+  expect(title.width).toBeGreaterThan(0.9 * sheet.width);
+  expect(title.y).toBeGreaterThanOrEqual(sheet.y - 1);
+  await press(page, 'Undo');
+  await expect(word(page, /: /)).toHaveCount(0);
+});
+
 test('a long text at the top stays on the page while the page becomes smaller', async ({ page }) => {
   await openBoard(page);
   await openWords(page);
