@@ -421,6 +421,27 @@ fn consecutive_balloons_point_at_different_faces_of_one_size() {
     assert!(tips(&words).iter().all(|tip| *tip < 0.5), "{words:?}");
 }
 
+#[test]
+fn a_sound_effect_is_smaller_where_it_would_cover_a_face() {
+    let letters = letters();
+    let big = |x: f64| Subject { width: 0.3, height: 0.72, ..face(x, 0.14) };
+    let faces = [big(0.02), big(0.35), big(0.68)];
+    let word = item(json!({ "kind": "effect", "text": "KRAWUMM", "panel": 0 }));
+    let free = page_of(&placed_by(std::slice::from_ref(&word), &[], None));
+    let page = page_of(&placed_by(&[word], &faces, None));
+    let frame = Ground::new(&page).unwrap().panels[0].bounds;
+    let area = |page: &Document| measured(page, &letters).unwrap().remove(0);
+    let (small, usual) = (area(&page), area(&free));
+    assert!(small.width < usual.width);
+    for face in &faces {
+        let x = frame.x + face.x * frame.width;
+        let y = frame.y + face.y * frame.height;
+        let beside = small.x + small.width <= x || small.x >= x + face.width * frame.width;
+        let above = small.y + small.height <= y || small.y >= y + face.height * frame.height;
+        assert!(beside || above, "{face:?}");
+    }
+}
+
 /// Returns the page of a text item on one panel, and the bounds of the item.
 fn alone(text: &str, faces: &[Subject]) -> (Document, Bounds) {
     let mut page = page_of(&said(&[(text, None)], faces));

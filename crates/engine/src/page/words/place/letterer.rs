@@ -46,6 +46,8 @@ const LEANING: (f64, f64) = (8.0, 24.0);
 const FORBIDDEN: f64 = 400.0;
 /// Cost of moving a text item across the whole panel, if the user placed it.
 const NEAR: f64 = 60.0;
+/// Widths and heights of a sound effect, in parts of its panel, if it would cover a face in its usual size.
+const SMALLER_EFFECTS: [(f64, f64); 3] = [(0.5, 0.3), (0.34, 0.2), (0.22, 0.14)];
 /// Cost of covering a body.
 const BODY: f64 = 60.0;
 /// Cost of covering an object: a detected one, and one that is the subject of its photo.
@@ -452,17 +454,20 @@ impl Room<'_> {
         let word = &words[index];
         let usual = ground.lay(TextItem { room: None, ..word.clone() }, letters);
         let mut shapes = vec![(None, usual)];
-        // A custom size or width does not change.
-        if word.kind() != Kind::Effect && word.width.is_none() && self.count <= CROWD {
-            for (across, down) in
-                [(0.94, 0.2), (0.94, 0.3), (0.22, 0.8), (0.34, 0.8), (0.46, 0.34), (0.3, 0.3)]
-            {
-                let room = (across * self.frame.width, down * self.frame.height);
-                let laid = ground.lay(TextItem { room: Some(room), ..word.clone() }, letters);
-                let other = |(_, shape): &(_, Laid)| shape.setting != laid.setting;
-                if shapes.iter().all(other) {
-                    shapes.push((Some(room), laid));
-                }
+        let is_effect = word.kind() == Kind::Effect;
+        let rooms: &[(f64, f64)] = match word.width {
+            // A custom width does not change.
+            Some(_) => &[],
+            _ if self.count > CROWD => &[],
+            _ if is_effect => &SMALLER_EFFECTS,
+            None => &[(0.94, 0.2), (0.94, 0.3), (0.22, 0.8), (0.34, 0.8), (0.46, 0.34), (0.3, 0.3)],
+        };
+        for (across, down) in rooms {
+            let room = (across * self.frame.width, down * self.frame.height);
+            let laid = ground.lay(TextItem { room: Some(room), ..word.clone() }, letters);
+            let other = |(_, shape): &(_, Laid)| shape.setting != laid.setting;
+            if shapes.iter().all(other) {
+                shapes.push((Some(room), laid));
             }
         }
         let largest = shapes.iter().map(|(_, laid)| laid.setting.size).fold(0.0, f64::max);
@@ -472,6 +477,9 @@ impl Room<'_> {
         let round = matches!(word.kind(), Kind::Balloon(_));
         let mut all = Vec::new();
         for (room, laid) in &shapes {
+            if is_effect && all.iter().any(|spot: &Spot| spot.cost < FORBIDDEN) {
+                break;
+            }
             // Letters that are smaller than others of the page are a last resort, all the more where the end is missing.
             let small = 9.0 * (largest / laid.setting.size.max(1e-6)).ln()
                 + if laid.setting.cut { 60.0 } else { 0.0 };
