@@ -8,7 +8,7 @@ mod pages;
 
 use crate::golden::Goldens;
 use inkpanel_engine::framing::{PhotoMeta, Subject};
-use inkpanel_engine::layout::Point;
+use inkpanel_engine::layout::{Bounds, Point};
 use inkpanel_engine::page::words::layout::{Chain, Ground, lay_all, measured};
 use inkpanel_engine::page::words::place::{self, Known};
 use inkpanel_engine::page::words::{Letters, TextItem, draw};
@@ -389,6 +389,88 @@ fn balloons_of_others_stay_apart() {
     // Two people at a distance alternate.
     let two = [face(0.05, 0.7), face(0.83, 0.7)];
     assert_eq!(links(&said(&[("Who is it?", Some("anna")), ("Me.", Some("ben"))], &two)), [None, None]);
+}
+
+/// Returns the x coordinates of the ends of the tails, in fractions of the panel.
+fn tips(words: &[TextItem]) -> Vec<f64> {
+    words.iter().filter_map(|word| word.tail).map(|tail| tail.x).collect()
+}
+
+#[test]
+fn consecutive_balloons_point_at_different_faces_of_one_size() {
+    let apart = json!({ "kind": "balloon", "text": "Nobody but me.", "panel": 0, "apart": true });
+    for (left, right) in [(0.2, 0.5), (0.3, 0.6), (0.35, 0.55), (0.5, 0.75)] {
+        let smaller = Subject { width: 0.11, height: 0.15, ..face(right, 0.65) };
+        let faces = [face(left, 0.65), smaller];
+        let middle = f64::midpoint(left, right) + 0.06;
+        // Placed together, and the second one after the first one was fixed.
+        let words = [said(&[("Who goes there?", None)], &faces), vec![item(apart.clone())]].concat();
+        let together = placed_by(&words, &faces, None);
+        let fixed = TextItem { auto: Some(false), ..words[0].clone() };
+        let later = placed_by(&[fixed, words[1].clone()], &faces, None);
+        for words in [together, later] {
+            let tips = tips(&words);
+            assert_eq!(tips.len(), 2);
+            assert!((tips[0] < middle) != (tips[1] < middle), "{tips:?} at {left} and {right}");
+        }
+    }
+    // A face in the background does not speak.
+    let small = Subject { width: 0.03, height: 0.04, ..face(0.8, 0.5) };
+    let words = said(&[("Who goes there?", None)], &[face(0.2, 0.6), small.clone()]);
+    let words = placed_by(&[words, vec![item(apart)]].concat(), &[face(0.2, 0.6), small], None);
+    assert!(tips(&words).iter().all(|tip| *tip < 0.5), "{words:?}");
+}
+
+#[test]
+fn a_sound_effect_is_smaller_where_it_would_cover_a_face() {
+    let letters = letters();
+    let big = |x: f64| Subject { width: 0.3, height: 0.72, ..face(x, 0.14) };
+    let faces = [big(0.02), big(0.35), big(0.68)];
+    let word = item(json!({ "kind": "effect", "text": "KRAWUMM", "panel": 0 }));
+    let free = page_of(&placed_by(std::slice::from_ref(&word), &[], None));
+    let page = page_of(&placed_by(&[word], &faces, None));
+    let frame = Ground::new(&page).unwrap().panels[0].bounds;
+    let area = |page: &Document| measured(page, &letters).unwrap().remove(0);
+    let (small, usual) = (area(&page), area(&free));
+    assert!(small.width < usual.width);
+    for face in &faces {
+        let x = frame.x + face.x * frame.width;
+        let y = frame.y + face.y * frame.height;
+        let beside = small.x + small.width <= x || small.x >= x + face.width * frame.width;
+        let above = small.y + small.height <= y || small.y >= y + face.height * frame.height;
+        assert!(beside || above, "{face:?}");
+    }
+}
+
+/// Returns the page of a text item on one panel, and the bounds of the item.
+fn alone(text: &str, faces: &[Subject]) -> (Document, Bounds) {
+    let mut page = page_of(&said(&[(text, None)], faces));
+    page.panels[0].photo = Some("photo".into());
+    let area = &measured(&page, &letters()).unwrap()[0];
+    let bounds = Bounds { x: area.x, y: area.y, width: area.width, height: area.height };
+    (page, bounds)
+}
+
+#[test]
+fn text_that_becomes_longer_stays_where_it_fits() {
+    let faces = [face(0.45, 0.7)];
+    let known = |_: &str| Known { subjects: &faces, mask: None };
+    let (mut page, before) = alone("Wait", &faces);
+    page.words[0].text = "Wait for me at the station".into();
+    assert!(place::stay(&mut page, 0, before, known, &letters()).unwrap());
+    let after = &measured(&page, &letters()).unwrap()[0];
+    let across = (before.x + before.width).min(after.x + after.width) - before.x.max(after.x);
+    let down = (before.y + before.height).min(after.y + after.height) - before.y.max(after.y);
+    assert!(across * down > 0.75 * before.width * before.height, "{before:?} {after:?}");
+    // On a face, nothing changes.
+    let large = [Subject { width: 0.9, height: 0.9, ..face(0.05, 0.05) }];
+    let words = page.words.clone();
+    let is_there = |_: &str| Known { subjects: &large, mask: None };
+    assert!(!place::stay(&mut page, 0, before, is_there, &letters()).unwrap());
+    assert_eq!(page.words, words);
+    // An item that the user placed is not moved.
+    page.words[0].auto = Some(false);
+    assert!(!place::stay(&mut page, 0, before, known, &letters()).unwrap());
 }
 
 #[test]

@@ -33,10 +33,10 @@ function answeringWorkers({ offline = () => false }: { offline?: () => boolean }
 }
 
 /** A detector, and a ticket for another model. */
-function opened(linger = Infinity) {
+function opened({ linger = Infinity, workers = 2 } = {}) {
   const scheduler = createScheduler();
   const other = scheduler.createTicket({ unload: () => {} });
-  return { detector: createDetector(photos, { scheduler, spare: () => {}, linger }), other };
+  return { detector: createDetector(photos, { scheduler, workers, spare: () => {}, linger }), other };
 }
 
 const photos = { get: () => ({ name: 'a.jpg', work: {} }) } as any;
@@ -44,7 +44,7 @@ const photos = { get: () => ({ name: 'a.jpg', work: {} }) } as any;
 test('where memory is short the nets are given up when all is looked at, and made anew for the next photo', async () => {
   vi.useFakeTimers();
   const { workers, live } = answeringWorkers();
-  const { detector } = opened(5_000);
+  const { detector } = opened({ linger: 5_000 });
   await detector.findFaces('a');
   expect(live()).toBe(2);
   vi.advanceTimersByTime(4_000);
@@ -55,6 +55,14 @@ test('where memory is short the nets are given up when all is looked at, and mad
   expect([live(), detector.facesReady()]).toEqual([0, false]);
   await detector.findFaces('c');
   expect([live(), workers.length, detector.facesReady()]).toEqual([2, 4, true]);
+});
+
+test('one worker has both models, and requests each file once', async () => {
+  const { workers, live } = answeringWorkers();
+  const { detector } = opened({ workers: 1 });
+  await Promise.all([detector.findFaces('a'), detector.findObjects('a'), detector.findFaces('b')]);
+  const count = (op: string) => workers[0].asked.filter((asked) => asked === op).length;
+  expect([live(), count('load'), count('make'), count('faces'), count('objects')]).toEqual([1, 2, 2, 2, 1]);
 });
 
 test('while photos are chosen the net for faces looks at a blank picture, until there is one to look at', async () => {

@@ -1,6 +1,6 @@
 /**
- * Face and object detection, in two parallel workers. A worker and all it needs are loaded with its first call, or
- * before by `prepare`.
+ * Face and object detection, in two parallel workers, or in one to save memory. A worker and all it needs are loaded with
+ * its first call, or before by `prepare`.
  */
 
 import { STORED_AFTER } from './kept.ts';
@@ -21,14 +21,21 @@ const ROUNDS = 12;
 const BLANK = { width: 640, height: 480 };
 
 /**
- * @param options `spare`: the pool keeps this many other workers idle during low-priority work. `linger`: milliseconds
+ * @param options `workers`: 2, or 1 on devices with little memory; `spare`: the pool keeps this many other workers idle during low-priority work. `linger`: milliseconds
  *   after the last detection until the models are unloaded
  */
 export function createDetector(
   photos: ReturnType<typeof createPhotos>,
-  { scheduler, spare, linger }: { scheduler: Scheduler; spare: (workers: number) => void; linger: number },
+  {
+    scheduler,
+    workers,
+    spare,
+    linger,
+  }: { scheduler: Scheduler; workers: number; spare: (workers: number) => void; linger: number },
 ) {
   const pools: Partial<Record<Net, Pool<Looking>>> = {};
+  /** Models whose files are requested. */
+  const fetched: Set<Net> = new Set();
   /** Models that are loaded or queued for loading. */
   const made: Partial<Record<Net, Promise<unknown>>> = {};
   /** The end of that line. */
@@ -157,6 +164,7 @@ export function createDetector(
       delete pools[net];
       delete made[net];
     }
+    fetched.clear();
     facesMade = false;
     rehearsal = undefined;
   }
@@ -167,7 +175,10 @@ export function createDetector(
    */
   function make(net: Net) {
     // Downloads do not need a core.
-    for (const one of ['faces', 'objects'] as const) if (!pools[one]) order(one, 'load').catch(() => {});
+    for (const one of ['faces', 'objects'] as const) {
+      if (!fetched.has(one)) order(one, 'load').catch(() => {});
+      fetched.add(one);
+    }
     made[net] ??= last = last
       .catch(() => {})
       .then(() => order(net, 'make'))
@@ -187,7 +198,7 @@ export function createDetector(
   }
 
   function open(net: Net) {
-    return (pools[net] ??= createPool<Looking>({ size: 1, spawn }));
+    return (pools[workers > 1 ? net : 'faces'] ??= createPool<Looking>({ size: 1, spawn }));
   }
 }
 

@@ -43,12 +43,20 @@ const MB = 2 ** 20;
 const JPEG = 'image/jpeg';
 const LARGE_JPEG = 500_000;
 /**
- * Limits: number of workers; bytes of cached photos, in total and at least per worker; memory of an idle worker.
- * `nets`: milliseconds until the face detector is unloaded. A phone closes a tab that uses too much memory. Each worker
- * keeps the memory of its largest photo, and code that is compiled per worker needs much memory as well.
+ * Limits: number of workers; bytes of cached photos, in total and at least per worker; memory of an idle worker; number of
+ * workers that detect. `nets`: milliseconds until the face detector is unloaded. A phone closes a tab that uses too much
+ * memory. Each worker keeps the memory of its largest photo, and code that is compiled per worker needs much memory as well.
  */
-const USUAL = { workers: 8, photos: 256 * MB, least: 64 * MB, rest: undefined, nets: SHARES_CODE ? Infinity : 30_000 };
-const SPARING = { workers: 4, photos: 64 * MB, least: 16 * MB, rest: 64 * MB, nets: 5_000 };
+const USUAL = {
+  workers: 8,
+  photos: 256 * MB,
+  least: 64 * MB,
+  rest: undefined,
+  detectors: 2,
+  nets: SHARES_CODE ? Infinity : 30_000,
+};
+/** With these, the tab has at most 400 MB while thirty photos of 12 megapixels are read. */
+const SPARING = { workers: 2, photos: 64 * MB, least: 16 * MB, rest: 64 * MB, detectors: 1, nets: 5_000 };
 
 /**
  * Suitable number of workers: one per core. If each worker compiles the code, half as many, because the compiler has
@@ -76,7 +84,12 @@ export function createEngine({
   const most = sparing ? SPARING : USUAL;
   const size = Math.max(1, Math.min(most.workers, Math.floor(workers)));
   const photos = createPhotos();
-  const detector = createDetector(photos, { scheduler, spare: (count) => pool?.spare(count), linger: most.nets });
+  const detector = createDetector(photos, {
+    scheduler,
+    workers: most.detectors,
+    spare: (count) => pool?.spare(count),
+    linger: most.nets,
+  });
   const design = createDesign(photos, () => ownPainters);
   const words = createWords();
   const files = createFiles();

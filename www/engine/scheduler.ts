@@ -133,8 +133,9 @@ export function createScheduler() {
   /**
    * A ticket for the memory of a model. One model is in memory at a time. An idle model is unloaded when another one is
    * needed, and some time after its last use. A model that the user waits for is not unloaded for background work.
-   * @param options `unload` frees the memory. `linger`: milliseconds after the last use; `undefined` keeps the model
-   * XX   */
+   * @param options `unload` frees the memory. `linger`: milliseconds after the last use, `Infinity` keeps the model;
+   *   `storing`: milliseconds that a downloaded model stays at least, so that the browser stores its compiled code
+   */
   function createTicket({
     unload,
     linger = LINGER,

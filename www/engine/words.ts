@@ -124,6 +124,21 @@ async function open() {
       shape(document);
       return JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(photos), again));
     },
+    /**
+     * @param before its earlier bounds
+     * @returns the text items of the document, with an automatic item at its earlier place after its text changed; null if
+     *   it does not fit there
+     */
+    stay: (
+      document: PageDocument,
+      photos: Record<string, KnownPhoto>,
+      index: number,
+      before: WordBox,
+    ): Word[] | null => {
+      shape(document);
+      const words = letters.stay(JSON.stringify(document), JSON.stringify(photos), index, JSON.stringify(before));
+      return words === undefined ? null : JSON.parse(words);
+    },
     measure: (document: PageDocument): WordBox[] => {
       shape(document);
       return JSON.parse(letters.measure(JSON.stringify(document)));

@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, test } from 'vitest';
 import { createLettering } from './lettering.ts';
+import { setWords } from './word-planning.ts';
 import { createSelection } from '../page/panels/selection.ts';
 import { fakeApp } from '../document/testing.ts';
 import { wordName } from '../document/word-names.ts';
@@ -16,12 +17,17 @@ let asked: Record<string, KnownPhoto>[] = [];
 /** The place of each text item in the reading order, as the core finds it. */
 let turns: number[] = [];
 
+/** Whether text items fit where they are. */
+let fits = false;
+
 /** A simple model of the core: automatic items go to a quarter of their panel, and all are a tenth of the page wide. */
 const letters = {
   settle: ({ words }: any, photos: Record<string, KnownPhoto>) => {
     asked.push(photos);
     return words.map((word: Word) => (word.auto ? { ...word, x: 0.25, y: 0.25, tail: null } : word));
   },
+  stay: ({ words }: any, _photos: Record<string, KnownPhoto>, index: number) =>
+    fits && words[index].auto ? words : null,
   measure: ({ words }: any) =>
     words.map(({ x = 0.5, y = 0.5, tail }: Word, i: number) => ({
       x: x - 0.05,
@@ -38,6 +44,7 @@ const letters = {
 beforeEach(async () => {
   asked = [];
   turns = [];
+  fits = false;
   const app = fakeApp({}, { settled: (page) => lettering.settled(page) });
   ({ store, pages } = app);
   selection = createSelection({ store });
@@ -190,6 +197,40 @@ describe('words', () => {
     expect(lettering.words.value).toEqual([]);
     pages.undo();
     expect(lettering.words.value[0].text).toBe('été');
+  });
+
+  test('an automatic text stays where it is while its text changes, if it fits there', async () => {
+    await lettering.addAll([
+      { kind: 'balloon', text: 'Hm', panel: 0, auto: true },
+      { kind: 'balloon', text: 'Mine', panel: 1, auto: false, x: 0.9, y: 0.9 },
+    ]);
+    lettering.move(0, [0.6, 0.6]);
+    lettering.edit(0, { auto: true });
+    const places = () => lettering.words.value.map(({ x, auto }) => [x, auto]);
+    expect(places()).toEqual([
+      [0.25, true],
+      [0.9, false],
+    ]);
+    const page = store.page.peek() as PageDocument;
+    setWords(store, [{ at: 0, page: { ...page, words: page.words?.map((word) => ({ ...word, x: 0.7 })) } }]);
+    fits = true;
+    const before = past();
+    lettering.write(0, 'Hm, who is there?');
+    lettering.edit(0, { size: 0.03 });
+    lettering.write(1, 'Mine!');
+    expect([places(), past() - before]).toEqual([
+      [
+        [0.7, true],
+        [0.7, false],
+      ],
+      3,
+    ]);
+    fits = false;
+    lettering.edit(0, { text: 'Hm, who is there behind the door?' });
+    expect(places()[0]).toEqual([0.25, true]);
+    fits = true;
+    lettering.settleOne(0);
+    expect(places()[0]).toEqual([0.25, true]);
   });
 
   test('the list shows the text that is typed, and the page the text that is accepted', async () => {

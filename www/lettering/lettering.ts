@@ -273,9 +273,15 @@ export function createLettering({
     if (!page || !words.peek()[index]) return;
     // Shuffle does not replace edited text.
     const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, ...BY_HAND } : word));
-    // A text item that the user moves has a fixed position. Otherwise all balloons of its chain are placed again.
-    const free = stays ? [] : chainOf(changed, index);
-    setPage({ ...page, words: changed }, free, gesture);
+    const next = { ...page, words: changed };
+    // A text item that the user moves has a fixed position. Others stay where they are as long as they fit there. Vertical text
+    // has another shape.
+    const box = boxes.peek()[index];
+    const isPlaced = stays || news.auto || news.vertical !== undefined || !box;
+    const stayed = isPlaced ? null : planning.stayed(next, index, box);
+    if (stayed) setWords(store, [{ at: store.project.peek().at, page: stayed }], { gesture });
+    // Otherwise all balloons of its chain are placed again.
+    else setPage(next, stays ? [] : chainOf(changed, index), gesture);
   }
 
   /** Links a balloon to the previous one on its panel, or removes its link. */

@@ -10,8 +10,8 @@ import { sheetsOf } from '../engine/sheets.ts';
 import { explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { How, PageDocument, Word } from '../engine/types.ts';
-import type { Lettering as Letters } from '../engine/words.ts';
+import type { How, PageDocument, Word, WordBox } from '../engine/types.ts';
+import type { KnownPhoto, Lettering as Letters } from '../engine/words.ts';
 import type { Scheduler } from '../engine/scheduler.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
@@ -74,7 +74,7 @@ export function createWordPlanning({
     });
   });
 
-  return { words, letters, loading: loading as ReadonlySignal<boolean>, rested, ready, settled, on };
+  return { words, letters, loading: loading as ReadonlySignal<boolean>, rested, ready, settled, stayed, on };
 
   /** @returns null if the glyphs cannot be loaded, which is reported */
   async function ready(): Promise<Letters | null> {
@@ -112,16 +112,30 @@ export function createWordPlanning({
       owed = true;
       return page;
     }
+    const fixed = all.map((word, i) => (stays(i) ? { ...word, auto: false } : word));
+    const placed = table.settle({ ...page, words: fixed }, knownOn(page), again);
+    return { ...page, words: all.map((word, i) => (stays(i) ? word : placed[i])) };
+  }
+
+  /**
+   * Returns a page with an automatic text item at its earlier place after its text changed. Null if it does not fit there, or
+   * without glyphs.
+   * @param before its earlier bounds
+   */
+  function stayed(page: PageDocument, index: number, before: WordBox): PageDocument | null {
+    const words = letters.peek()?.stay(page, knownOn(page), index, before);
+    return words ? { ...page, words } : null;
+  }
+
+  /** The subjects and masks of the photos of a page, by their ids. */
+  function knownOn({ panels }: PageDocument): Record<string, KnownPhoto> {
     const [album, masks] = [store.album.peek(), store.masks.peek()];
-    const photos = Object.fromEntries(
-      page.panels.flatMap(({ photo }) => {
+    return Object.fromEntries(
+      panels.flatMap(({ photo }) => {
         const meta = photo === null ? undefined : album.get(photo)?.meta;
         return photo !== null && meta ? [[photo, { subjects: meta.subjects, mask: masks.get(photo) }]] : [];
       }),
     );
-    const fixed = all.map((word, i) => (stays(i) ? { ...word, auto: false } : word));
-    const placed = table.settle({ ...page, words: fixed }, photos, again);
-    return { ...page, words: all.map((word, i) => (stays(i) ? word : placed[i])) };
   }
 
   /**

@@ -132,10 +132,12 @@ export async function inBytes(record: PhotoRecord): Promise<PhotoRecord> {
   return { ...record, file, work, small };
 }
 
-/** Converts a photo record of any stored form to blobs. */
+/** Converts a photo record of any stored form to blobs. Copies of a draft are left out, so that the photo is decoded again. */
 export function inBlobs<Kept extends { file?: unknown; work?: unknown; small?: unknown }>(record: Kept): Kept {
-  const handle = (held: unknown) =>
-    typeof held === 'object' && held !== null && 'planes' in held ? { ...held, planes: blobOf(held.planes) } : held;
+  const handle = (held: unknown) => {
+    if (typeof held !== 'object' || held === null || !('planes' in held)) return held;
+    return 'draft' in held ? null : { ...held, planes: blobOf(held.planes) };
+  };
   return { ...record, file: blobOf(record.file), work: handle(record.work), small: handle(record.small) };
 }
 

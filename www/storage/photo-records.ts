@@ -14,7 +14,7 @@ import type { Database, KeptVideo, PhotoRecord } from './database.ts';
 
 /** References of a project. */
 type Wanted = { facts: readonly Fact[]; videos: readonly Video[] };
-/** A photo or video in memory: `entry` after decoding. */
+/** A photo or video in memory: `entry` after decoding. A draft counts as not decoded. */
 type Held = { id: string; name: string; file: Blob; entry: ReturnType<ReturnType<typeof createPhotos>['get']> | null };
 export type PhotoRecords = ReturnType<typeof createPhotoRecords>;
 
@@ -115,9 +115,9 @@ export function createPhotoRecords({
 
   function heldOf({ id, name, absent }: Fact): Held | null {
     if (absent) return null;
-    const entry = photos.has(id) ? photos.get(id) : null;
-    const file = entry?.file ?? originals.get(id);
-    return file ? { id, name, file, entry } : null;
+    const found = photos.has(id) ? photos.get(id) : null;
+    const file = found?.file ?? originals.get(id);
+    return file ? { id, name, file, entry: found?.work.draft ? null : found } : null;
   }
 
   /** @returns photos during import first, because they are faster to write */
@@ -161,10 +161,9 @@ export function createPhotoRecords({
    * @returns whether there were any
    */
   async function improve(database: Database, { facts }: Wanted): Promise<boolean> {
-    const next = facts
-      .filter(({ id, absent }) => kept.get(id) === 'file' && photos.has(id) && !absent)
-      .slice(0, COPIES_TOGETHER);
-    await Promise.all(next.map((fact) => addCopies(database, heldOf(fact) as Held)));
+    const open = facts.flatMap((fact) => (kept.get(fact.id) === 'file' ? (heldOf(fact) ?? []) : []));
+    const next = open.filter(({ entry }) => entry !== null).slice(0, COPIES_TOGETHER);
+    await Promise.all(next.map((held) => addCopies(database, held)));
     return next.length > 0;
   }
 

@@ -95,6 +95,53 @@ describe('saving waits for the page', () => {
   });
 });
 
+describe('a draft of a photo', () => {
+  const record = async (tab: Tab) => {
+    const base = await openDatabase();
+    const found = await base.get('photos', tab.store.facts.value[0].id);
+    base.close();
+    return found;
+  };
+  const reopened = async (browser: ReturnType<typeof fakeBrowser>) => {
+    const tab = await fakeBrowser(browser).tab();
+    await vi.waitFor(() => expect(tab.store.reading.value).toBe(null));
+    return tab.decoded;
+  };
+
+  it('is not stored, but the photo that replaces it is', async () => {
+    const browser = fakeBrowser();
+    const tab = await browser.tab();
+    const { add } = tab.photos;
+    const draft = (handle: any) => ({ ...handle, draft: true });
+    const adding = vi.spyOn(tab.photos, 'add').mockImplementation((id, { work, small, ...entry }) => {
+      add(id, { ...entry, work: draft(work), small: draft(small) });
+    });
+    await tab.add('a.jpg');
+    expect(await record(tab)).toMatchObject({ name: 'a.jpg', work: null, small: null });
+    expect(tab.keeping.status.value).toBe('saved');
+    adding.mockRestore();
+    const [fact] = tab.store.facts.value;
+    const { work, small, ...entry } = tab.photos.get(fact.id);
+    const whole = ({ draft: _, ...handle }: typeof work) => handle;
+    tab.photos.add(fact.id, { ...entry, work: whole(work), small: whole(small) });
+    tab.store.know({ ...fact, looked: true });
+    await tab.keeping.flush();
+    expect((await record(tab))?.work).toMatchObject({ key: `${fact.id}/work` });
+    expect(await reopened(browser)).toEqual([]);
+  });
+
+  it('that an earlier version stored is decoded again', async () => {
+    const browser = fakeBrowser();
+    const tab = await browser.tab();
+    await tab.add('a.jpg');
+    const stored = (await record(tab)) as any;
+    const base = await openDatabase();
+    await base.put('photos', { ...stored, work: { ...stored.work, draft: true } });
+    base.close();
+    expect(await reopened(browser)).toEqual(['a.jpg']);
+  });
+});
+
 describe('a database that went', () => {
   it.each([
     ['at rest', false],

@@ -16,6 +16,7 @@ use inkpanel_engine::page::words::{draw, layout};
 use inkpanel_engine::page::{Document, Patch};
 use inkpanel_engine::raster::Matte;
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
 
@@ -26,13 +27,21 @@ impl Lettering {
     /// items that the user placed move off faces as well.
     pub fn settle(&self, document: &str, photos: &str, again: bool) -> Result<String> {
         let mut document = Document::parse(document)?;
-        let told: HashMap<String, Told> = serde_json::from_str(photos).map_err(|error| {
-            Error::InvalidDocument { location: "photos".into(), reason: error.to_string() }
-        })?;
+        let told: HashMap<String, Told> = read(photos, "photos")?;
         let known = |id: &str| told.get(id).map(Told::known).unwrap_or_default();
         let settle = if again { place::resettle } else { place::settle };
         settle(&mut document, known, self.letters())?;
         Ok(document.words_json())
+    }
+
+    /// Places an automatic text item at its earlier place after its text changed. `before`: its earlier bounds. `None` if it does
+    /// not fit there.
+    pub fn stay(&self, document: &str, photos: &str, index: usize, before: &str) -> Result<Option<String>> {
+        let mut document = Document::parse(document)?;
+        let told: HashMap<String, Told> = read(photos, "photos")?;
+        let known = |id: &str| told.get(id).map(Told::known).unwrap_or_default();
+        let fits = place::stay(&mut document, index, read(before, "before")?, known, self.letters())?;
+        Ok(fits.then(|| document.words_json()))
     }
 
     /// Bounds of the text items of a document; see `page::words::layout::measured`.
@@ -58,6 +67,15 @@ impl Lettering {
             rgba: patch.rgba,
         })
     }
+}
+
+/// Reads an argument in JSON.
+fn read<T: DeserializeOwned>(json: &str, name: &str) -> Result<T> {
+    let wrong = |error: serde_json::Error| Error::InvalidDocument {
+        location: name.into(),
+        reason: error.to_string(),
+    };
+    serde_json::from_str(json).map_err(wrong)
 }
 
 /// Properties of a photo.

@@ -29,7 +29,7 @@ const scores = (page) =>
 
 test('styles are invented, sorted, filtered, favoured, bred and used', async ({ page }) => {
   await explore(page);
-  await expect(region(page)).toHaveAttribute('aria-busy', 'false');
+  await expect(region(page)).toHaveAttribute('aria-busy', 'false', { timeout: 120_000 });
   await page.getByRole('button', { name: 'Generate' }).click();
   await expect(region(page)).toHaveAttribute('aria-busy', 'true');
   await expect(page.getByRole('progressbar', { name: /Generating styles/ })).toBeVisible();
@@ -170,6 +170,7 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
   test(`axe finds nothing in the explorer, in ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await explore(page);
+    await page.getByRole('button', { name: 'Stop' }).click();
     await expect(region(page)).toHaveAttribute('aria-busy', 'false');
     await deed(page, 0, 'Combine');
     await accessible(page);

@@ -230,6 +230,25 @@ test('text is written in its balloon, and is at least 10 pixels high', async ({ 
     .toBeCloseTo(10, 0);
 });
 
+test('a balloon grows where it is while its text becomes longer', async ({ page }) => {
+  await openBoard(page);
+  await write(page, 'balloon', 'Wait');
+  let before = await box(word(page, /^Balloon: /));
+  for (const text of ['Wait for', 'Wait for me at', 'Wait for me at the old']) {
+    await word(page, /^Balloon: /).press('Enter');
+    await page.getByRole('textbox', { name: /^Text of/ }).fill(text);
+    await page.keyboard.press('Enter');
+    await expect(word(page, `Balloon: ${text}`)).toBeVisible();
+    const after = await box(word(page, `Balloon: ${text}`));
+    const across = Math.min(before.x + before.width, after.x + after.width) - Math.max(before.x, after.x);
+    const down = Math.min(before.y + before.height, after.y + after.height) - Math.max(before.y, after.y);
+    // Another line break makes it narrower.
+    expect((across * down) / (before.width * before.height)).toBeGreaterThan(0.75);
+    expect(after.width * after.height).toBeGreaterThanOrEqual(0.99 * before.width * before.height);
+    before = after;
+  }
+});
+
 test('a long text does not push the fields of its text item out of the panel', async ({ page }) => {
   await openBoard(page);
   await write(page, 'balloon', 'a very long line that nobody would ever say at once but in a comic '.repeat(6));

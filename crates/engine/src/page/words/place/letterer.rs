@@ -46,6 +46,8 @@ const LEANING: (f64, f64) = (8.0, 24.0);
 const FORBIDDEN: f64 = 400.0;
 /// Cost of moving a text item across the whole panel, if the user placed it.
 const NEAR: f64 = 60.0;
+/// Widths and heights of a sound effect, in parts of its panel, if it would cover a face in its usual size.
+const SMALLER_EFFECTS: [(f64, f64); 3] = [(0.5, 0.3), (0.34, 0.2), (0.22, 0.14)];
 /// Cost of covering a body.
 const BODY: f64 = 60.0;
 /// Cost of covering an object: a detected one, and one that is the subject of its photo.
@@ -69,8 +71,14 @@ const STAGGER: (f64, f64, f64) = (0.2, 0.5, 2.0);
 /// Minimum distance of the lips of a face that speaks, in widths of the mouth, and the cost of another face with closed lips.
 const SPEAKING: f64 = 0.15;
 const SILENT: f64 = 1.5;
-/// Cost of one face speaking for two speakers.
+/// Cost of one face speaking for two speakers, and of two faces speaking for one speaker.
 const TWO_IN_ONE: f64 = 10.0;
+/// Cost of one face speaking in two consecutive balloons without names while another face is as likely to speak.
+const ALTERNATE: f64 = 12.0;
+/// Cost of two faces that speak in another order than they are seen in.
+const REVERSED: f64 = 3.0;
+/// Maximum extra cost of a face that is as likely to speak.
+const LIKELY: f64 = 0.8;
 
 /// Placement of a text item.
 #[derive(Debug, Clone, Copy)]
@@ -88,6 +96,13 @@ pub(super) struct Place {
     /// Its text is round a balloon: corners are free.
     round: bool,
     cost: f64,
+}
+
+impl Place {
+    /// The area of the place, without costs.
+    fn spot(&self) -> Spot {
+        Spot { area: self.area, cost: 0.0, room: self.room, round: self.round }
+    }
 }
 
 /// Text items that are placed together: the automatic ones of each panel, in order.
@@ -117,6 +132,8 @@ pub(super) struct Page<'a> {
     pub(super) taken: &'a [(usize, Bounds)],
     /// Position that the user dragged a text item to, with its index.
     pub(super) wanted: &'a [(usize, Point)],
+    /// The area of the only item of the group before its text changed. It must stay there.
+    pub(super) stays: Option<Bounds>,
     pub(super) ground: &'a Ground,
     pub(super) letters: &'a Letters,
 }
@@ -125,7 +142,7 @@ pub(super) struct Page<'a> {
 type Places = (f64, Vec<Place>);
 
 /// Places the text items of a group and links balloons. Returns the index, the placement and the linked
-/// balloon of each item.
+/// balloon of each item; empty if an item that must stay does not fit.
 pub(super) fn place(
     page: Page<'_>,
     group: &[usize],
@@ -141,13 +158,18 @@ pub(super) fn place(
         figures,
         above: above(word, ground),
         speakers: speakers(seen),
+        heard: Vec::new(),
         page,
         count: group.len(),
     };
+    let room = Room { heard: room.heard(group[0]), ..room };
     let spots: Vec<Vec<Spot>> =
         group.iter().enumerate().map(|(rank, &index)| room.weighed(index, rank)).collect();
     let mut joins = page.joins.to_vec();
-    let mut best = room.searched(group, &spots, &joins);
+    let mut best = room.searched(group, &spots, &joins, 0.0);
+    if page.stays.is_some() && best.0 >= 0.5 * FORBIDDEN {
+        return Vec::new();
+    }
     if group.len() <= CROWD {
         for (later, before) in pairs(words, group, |word| panel_of(word, ground) == panel) {
             if chain(&joins, before) >= LONGEST_CHAIN || joins[later].is_some() {
@@ -160,14 +182,17 @@ pub(super) fn place(
             }
             let mut tried = joins.clone();
             tried[later] = Some(before);
-            let found = room.searched(group, &spots, &tried);
+            let found = room.searched(group, &spots, &tried, 0.0);
             if found.0 <= best.0 + JOINING && room.hang_well(group, &found.1, page.joins, &tried) {
                 (joins, best) = (tried, found);
             }
         }
     }
+    // The areas are fixed now, and the tails may still turn to other faces.
+    let areas: Vec<Vec<Spot>> = best.1.iter().map(|place| vec![place.spot()]).collect();
+    let (_, places) = room.searched(group, &areas, &joins, 1.0);
     let linked = |index: usize| joins[index].filter(|_| words[index].joined.is_none());
-    group.iter().copied().zip(best.1).map(|(index, place)| (index, place, linked(index))).collect()
+    group.iter().copied().zip(places).map(|(index, place)| (index, place, linked(index))).collect()
 }
 
 /// Returns pairs of consecutive balloons of a group, the later one first. No other balloon of the panel is
@@ -247,14 +272,23 @@ struct Room<'a> {
     above: Vec<&'a ResolvedPanel>,
     /// Faces that may speak, and their costs.
     speakers: Vec<(usize, f64)>,
+    /// The faces that balloons with a fixed position point at, with the index of the balloon.
+    heard: Vec<(usize, usize)>,
     page: Page<'a>,
     /// Number of text items.
     count: usize,
 }
 
 impl Room<'_> {
-    /// The best placements of all items of a group together, with links in `joins`.
-    fn searched(&self, group: &[usize], spots: &[Vec<Spot>], joins: &[Option<usize>]) -> Places {
+    /// The best placements of all items of a group together, with links in `joins`. `sharing`: weight of the cost of two speakers
+    /// who share a face, 0 to 1.
+    fn searched(
+        &self,
+        group: &[usize],
+        spots: &[Vec<Spot>],
+        joins: &[Option<usize>],
+        sharing: f64,
+    ) -> Places {
         let words = self.page.words;
         let mut beam = vec![(0.0, Vec::<Place>::new())];
         for (rank, (&index, spots)) in group.iter().zip(spots).enumerate() {
@@ -266,7 +300,9 @@ impl Room<'_> {
                         let joined = joins[index] == Some(group[other]) || joins[group[other]] == Some(index);
                         let pair = (&words[group[other]], &words[index]);
                         let rtl = self.page.ground.rtl;
-                        together((pair.0, placed), (pair.1, place), (joined, rtl), other + 1 == rank)
+                        let follow = before[other + 1..].iter().all(|place| place.speaker.is_none());
+                        sharing * self.voices(pair, (placed.speaker, place.speaker), follow)
+                            + together((pair.0, placed), (pair.1, place), (joined, rtl), other + 1 == rank)
                     });
                     next.push((cost + place.cost + pairs.sum::<f64>(), set, at));
                 }
@@ -293,6 +329,9 @@ impl Room<'_> {
                 places.push(spot.bare());
             }
         }
+        for place in &mut places {
+            place.cost += place.speaker.map_or(0.0, |face| self.unheard(index, face));
+        }
         let Page { words, taken, .. } = self.page;
         // A balloon is close to its linked balloons, even if their positions are fixed.
         for (other, area) in taken.iter().filter(|(other, _)| self.tied(index, *other)) {
@@ -305,6 +344,68 @@ impl Room<'_> {
         }
         places.sort_by(|a: &Place, b| a.cost.total_cmp(&b.cost));
         self.varied(places)
+    }
+
+    /// Cost of the faces that two balloons point at. The first precedes the second in the text, directly if they `follow`.
+    fn voices(
+        &self,
+        (said, says): (&TextItem, &TextItem),
+        (first, second): (Option<usize>, Option<usize>),
+        follow: bool,
+    ) -> f64 {
+        let (Some(first), Some(second)) = (first, second) else { return 0.0 };
+        let across = |face: usize| {
+            let x = self.seen[face].mouth.x;
+            if self.page.ground.rtl { -x } else { x }
+        };
+        let unlikely =
+            |face: usize| self.speakers.iter().find(|(other, _)| *other == face).map(|found| found.1);
+        let most = unlikely(second).unwrap_or(0.0) + LIKELY;
+        let is_alone = !self.speakers.iter().any(|&(face, cost)| face != second && cost <= most);
+        let cost = match (&said.by, &says.by) {
+            (Some(name), Some(next)) if (name == next) != (first == second) => TWO_IN_ONE,
+            (None, _) | (_, None) if follow && first == second && !is_alone => ALTERNATE,
+            _ => 0.0,
+        };
+        cost + if follow && across(first) > across(second) { REVERSED } else { 0.0 }
+    }
+
+    /// The faces that balloons with a fixed position point at, on the panel of an item.
+    fn heard(&self, item: usize) -> Vec<(usize, usize)> {
+        let Page { words, taken, ground, letters, .. } = self.page;
+        let here = taken.iter().filter(|(other, _)| words[*other].panel == words[item].panel);
+        let face = |(other, _): &(usize, Bounds)| {
+            let tip = ground.lay(words[*other].clone(), letters).tip?;
+            Some((*other, self.nearest(tip)?))
+        };
+        here.filter_map(face).collect()
+    }
+
+    /// The face whose mouth is nearest to the end of a tail.
+    fn nearest(&self, tip: Point) -> Option<usize> {
+        let away = |face: usize| self.seen[face].mouth.distance(tip);
+        let faces = self.speakers.iter().map(|(face, _)| *face);
+        faces.min_by(|&a, &b| away(a).total_cmp(&away(b)))
+    }
+
+    /// Cost of a face after the balloons with a fixed position, and after the face that the item pointed at before.
+    fn unheard(&self, index: usize, face: usize) -> f64 {
+        let words = self.page.words;
+        let is_balloon =
+            |word: &TextItem| word.panel == words[index].panel && matches!(word.kind(), Kind::Balloon(_));
+        let apart =
+            self.heard.iter().filter(|(other, _)| !self.tied(index, *other)).map(|&(other, heard)| {
+                let (first, second) = (other.min(index), other.max(index));
+                let faces = if other < index { (heard, face) } else { (face, heard) };
+                let follow = !words[first + 1..second].iter().any(is_balloon);
+                self.voices((&words[first], &words[second]), (Some(faces.0), Some(faces.1)), follow)
+            });
+        let tip = self.page.stays.and_then(|_| words[index].tail).map(|tail| {
+            let Bounds { x, y, width, height } = self.frame;
+            Point::new(x + tail.x * width, y + tail.y * height)
+        });
+        let is_other = tip.and_then(|tip| self.nearest(tip)).is_some_and(|before| before != face);
+        apart.sum::<f64>() + if is_other { TWO_IN_ONE } else { 0.0 }
     }
 
     /// Whether two items are linked in the document.
@@ -353,17 +454,20 @@ impl Room<'_> {
         let word = &words[index];
         let usual = ground.lay(TextItem { room: None, ..word.clone() }, letters);
         let mut shapes = vec![(None, usual)];
-        // A custom size or width does not change.
-        if word.kind() != Kind::Effect && word.width.is_none() && self.count <= CROWD {
-            for (across, down) in
-                [(0.94, 0.2), (0.94, 0.3), (0.22, 0.8), (0.34, 0.8), (0.46, 0.34), (0.3, 0.3)]
-            {
-                let room = (across * self.frame.width, down * self.frame.height);
-                let laid = ground.lay(TextItem { room: Some(room), ..word.clone() }, letters);
-                let other = |(_, shape): &(_, Laid)| shape.setting != laid.setting;
-                if shapes.iter().all(other) {
-                    shapes.push((Some(room), laid));
-                }
+        let is_effect = word.kind() == Kind::Effect;
+        let rooms: &[(f64, f64)] = match word.width {
+            // A custom width does not change.
+            Some(_) => &[],
+            _ if self.count > CROWD => &[],
+            _ if is_effect => &SMALLER_EFFECTS,
+            None => &[(0.94, 0.2), (0.94, 0.3), (0.22, 0.8), (0.34, 0.8), (0.46, 0.34), (0.3, 0.3)],
+        };
+        for (across, down) in rooms {
+            let room = (across * self.frame.width, down * self.frame.height);
+            let laid = ground.lay(TextItem { room: Some(room), ..word.clone() }, letters);
+            let other = |(_, shape): &(_, Laid)| shape.setting != laid.setting;
+            if shapes.iter().all(other) {
+                shapes.push((Some(room), laid));
             }
         }
         let largest = shapes.iter().map(|(_, laid)| laid.setting.size).fold(0.0, f64::max);
@@ -373,6 +477,9 @@ impl Room<'_> {
         let round = matches!(word.kind(), Kind::Balloon(_));
         let mut all = Vec::new();
         for (room, laid) in &shapes {
+            if is_effect && all.iter().any(|spot: &Spot| spot.cost < FORBIDDEN) {
+                break;
+            }
             // Letters that are smaller than others of the page are a last resort, all the more where the end is missing.
             let small = 9.0 * (largest / laid.setting.size.max(1e-6)).ln()
                 + if laid.setting.cut { 60.0 } else { 0.0 };
@@ -381,7 +488,12 @@ impl Room<'_> {
                 let cost = small + plain + self.cost(index, laid, area, rank);
                 Spot { area, cost, room: *room, round }
             };
-            all.extend(self.spots(laid).into_iter().map(spot));
+            let areas = match self.page.stays {
+                Some(_) if laid.setting.cut => Vec::new(),
+                Some(before) => Self::grown_from(before, laid),
+                None => self.spots(laid),
+            };
+            all.extend(areas.into_iter().map(spot));
         }
         all
     }
@@ -405,6 +517,16 @@ impl Room<'_> {
             }
         }
         kept
+    }
+
+    /// Returns the areas for a text item that share an edge or the middle with its earlier area, in each direction.
+    fn grown_from(before: Bounds, laid: &Laid) -> Vec<Bounds> {
+        let Bounds { width, height, .. } = covered(laid);
+        let along =
+            |start: f64, length: f64, size: f64| [0.5, 0.0, 1.0].map(|at| start + at * (length - size));
+        let rows = along(before.y, before.height, height);
+        let columns = along(before.x, before.width, width);
+        rows.iter().flat_map(|&y| columns.map(|x| Bounds { x, y, width, height })).collect()
     }
 
     /// Returns the candidate areas for a text item.
@@ -443,6 +565,10 @@ impl Room<'_> {
         }
         cost += FORBIDDEN * self.misread(index, area) as f64;
         let own = area.width * area.height;
+        if let Some(before) = self.page.stays {
+            // It grows or shrinks, and does not change its shape.
+            cost += NEAR * (1.0 - shared(before, area) / own.min(before.width * before.height).max(1e-12));
+        }
         let size = self.frame.width.hypot(self.frame.height);
         let mut nearest = size;
         for seen in self.seen {
@@ -692,14 +818,13 @@ fn together(
     if joined {
         return cost + 60.0 * gap(a, b) + staggered(a, b);
     }
-    let same_face = first.speaker.is_some() && first.speaker == second.speaker;
+    let (Some(face), Some(other)) = (first.speaker, second.speaker) else { return cost };
     match (&said.by, &says.by) {
-        (Some(name), Some(next)) if name != next && same_face => cost += TWO_IN_ONE,
+        (Some(name), Some(next)) if (name == next) != (face == other) => cost + TWO_IN_ONE,
         // Speakers usually alternate.
-        (None, _) | (_, None) if follow && same_face => cost += 1.2,
-        _ => {}
+        (None, _) | (_, None) if follow && face == other => cost + 1.2,
+        _ => cost,
     }
-    cost
 }
 
 /// Cost of a linked balloon directly below or directly next to the previous one. Letterers offset them in

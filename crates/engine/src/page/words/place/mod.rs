@@ -120,6 +120,42 @@ pub fn resettle<'s>(
     placed_on(document, known, letters, true)
 }
 
+/// Places an automatic text item at its earlier place after its text changed. It may grow from `before`, its earlier area, but
+/// shares an edge or the middle with it. Returns false and changes nothing if the item would cover a face or another item, or
+/// leave its panel.
+///
+/// # Errors
+/// As [`settle`].
+pub fn stay<'s>(
+    document: &mut Document,
+    index: usize,
+    before: Bounds,
+    known: impl Fn(&str) -> Known<'s>,
+    letters: &Letters,
+) -> Result<bool> {
+    let mut words = document.effective_words();
+    if !words.get(index).is_some_and(TextItem::is_auto) {
+        return Ok(false);
+    }
+    let ground = Ground::new(document)?;
+    for (i, word) in words.iter_mut().enumerate() {
+        word.auto = Some(i == index);
+    }
+    let scenery = scenery(document, &words[index], &ground, &known);
+    let page = letterer::Page {
+        joins: &joined(&words.iter()),
+        taken: &fixed(&words, &ground, letters),
+        words: &words,
+        wanted: &[(index, center(before))],
+        stays: Some(before),
+        ground: &ground,
+        letters,
+    };
+    let placed = letterer::place(page, &[index], &scenery);
+    put(document, &placed, (&words, &ground), &[]);
+    Ok(!placed.is_empty())
+}
+
 fn placed_on<'s>(
     document: &mut Document,
     known: impl Fn(&str) -> Known<'s>,
@@ -131,22 +167,12 @@ fn placed_on<'s>(
         return Ok(());
     }
     let ground = Ground::new(document)?;
-    let scenery = |word: &TextItem| {
-        let panels = match panel_of(word, &ground) {
-            Some(panel) => panel..panel + 1,
-            None => 0..ground.panels.len(),
-        };
-        let mut scenery = Scenery::default();
-        for panel in panels {
-            see(document, &ground, panel, &known, &mut scenery);
-        }
-        scenery
-    };
     let mut wanted: Vec<(usize, Point)> = Vec::new();
     if again {
         for (i, word) in words.iter().enumerate().filter(|(_, word)| !word.is_auto()) {
             let laid = ground.lay(word.clone(), letters);
-            if is_in_the_way(covered(&laid), &scenery(word), &above(word, &ground)) {
+            if is_in_the_way(covered(&laid), &scenery(document, word, &ground, &known), &above(word, &ground))
+            {
                 wanted.push((i, laid.middle));
             }
         }
@@ -159,49 +185,77 @@ fn placed_on<'s>(
     }
     unlink(&mut words);
     // Items that the user placed come first.
-    let mut taken: Vec<(usize, Bounds)> = words
-        .iter()
-        .enumerate()
-        .filter(|(_, word)| !word.is_auto())
-        .map(|(i, word)| (i, covered(&ground.lay(word.clone(), letters))))
-        .collect();
-    let mut news: Vec<(usize, Spot)> = Vec::new();
+    let mut taken = fixed(&words, &ground, letters);
+    let mut all: Vec<Placed> = Vec::new();
     let joins = joined(&words.iter());
-    let mut links: Vec<(usize, usize)> = Vec::new();
     for group in letterer::groups(&words, &ground) {
-        let scenery = words.get(group[0]).map(&scenery).unwrap_or_default();
+        let scenery =
+            words.get(group[0]).map(|word| scenery(document, word, &ground, &known)).unwrap_or_default();
         let page = letterer::Page {
             words: &words,
             joins: &joins,
             taken: &taken,
             wanted: &wanted,
+            stays: None,
             ground: &ground,
             letters,
         };
-        for (i, place, link) in letterer::place(page, &group, &scenery) {
-            let spot = placed(ground.frame(&words[i]), center(place.area), place.tip);
-            let room = place.room.map(|(width, height)| (rounded(width), rounded(height)));
-            taken.push((i, place.area));
-            news.push((i, Spot { room: Some(room), ..spot }));
-            links.extend(link.map(|to| (i, to)));
-        }
+        let placed = letterer::place(page, &group, &scenery);
+        taken.extend(placed.iter().map(|(i, place, _)| (*i, place.area)));
+        all.extend(placed);
     }
-    for (i, spot) in news {
-        let by_hand = wanted.iter().any(|(other, _)| *other == i);
-        let word = &mut document.words[i];
+    put(document, &all, (&words, &ground), &wanted);
+    Ok(())
+}
+
+/// The index of a text item, its place, and the balloon that it is linked to.
+type Placed = (usize, letterer::Place, Option<usize>);
+
+/// Stores the places of text items. `wanted`: items that the user placed, which only move.
+fn put(
+    document: &mut Document,
+    placed: &[Placed],
+    (words, ground): (&[TextItem], &Ground),
+    wanted: &[(usize, Point)],
+) {
+    for (i, place, _) in placed {
+        let spot = fractions(ground.frame(&words[*i]), center(place.area), place.tip);
+        let by_hand = wanted.iter().any(|(other, _)| other == i);
+        let word = &mut document.words[*i];
         (word.x, word.y) = (Some(spot.x), Some(spot.y));
-        word.tail = spot.tail.filter(|_| !by_hand || words[i].tail.is_some());
-        if let Some(room) = spot.room {
-            word.room = room;
-        }
+        word.tail = spot.tail.filter(|_| !by_hand || words[*i].tail.is_some());
+        word.room = place.room.map(|(width, height)| (rounded(width), rounded(height)));
         word.linked = None;
         word.auto = Some(!by_hand);
     }
-    for (later, before) in links {
+    for (later, before) in placed.iter().filter_map(|(i, _, link)| link.map(|to| (*i, to))) {
         let name = named(&mut document.words, before);
         document.words[later].linked = Some(name);
     }
-    Ok(())
+}
+
+/// The areas of the text items with a fixed position, with their indices.
+fn fixed(words: &[TextItem], ground: &Ground, letters: &Letters) -> Vec<(usize, Bounds)> {
+    let fixed = words.iter().enumerate().filter(|(_, word)| !word.is_auto());
+    fixed.map(|(i, word)| (i, covered(&ground.lay(word.clone(), letters)))).collect()
+}
+
+/// The content of the panel of a text item, or of all panels.
+fn scenery<'s>(
+    document: &Document,
+    word: &TextItem,
+    ground: &Ground,
+    known: &impl Fn(&str) -> Known<'s>,
+) -> Scenery {
+    let panels = match panel_of(word, ground) {
+        Some(panel) => panel..panel + 1,
+        None => 0..ground.panels.len(),
+    };
+    let mut scenery = Scenery::default();
+    for panel in panels {
+        see(document, ground, panel, known, &mut scenery);
+    }
+    scenery
 }
 
 /// A new place of a text item, in fractions of its frame.
@@ -209,9 +263,6 @@ struct Spot {
     x: f64,
     y: f64,
     tail: Option<Tail>,
-    /// The new room. `None`: the room is unchanged.
-    #[allow(clippy::option_option, reason = "unchanged, removed, or a new value")]
-    room: Option<Option<(f64, f64)>>,
 }
 
 /// Removes automatic links, except to balloons with a fixed position.
@@ -245,11 +296,11 @@ fn panel_of(word: &TextItem, ground: &Ground) -> Option<usize> {
 }
 
 /// A place in fractions of a frame.
-fn placed(frame: Bounds, middle: Point, tip: Option<Point>) -> Spot {
+fn fractions(frame: Bounds, middle: Point, tip: Option<Point>) -> Spot {
     let part =
         |at: Point| (rounded((at.x - frame.x) / frame.width), rounded((at.y - frame.y) / frame.height));
     let (x, y) = part(middle);
-    Spot { x, y, tail: tip.map(part).map(|(x, y)| Tail { x, y }), room: None }
+    Spot { x, y, tail: tip.map(part).map(|(x, y)| Tail { x, y }) }
 }
 
 /// Finer than any pixel, and short as text.
@@ -494,6 +545,95 @@ mod tests {
         let again = document.words.clone();
         resettle(&mut document, known, &letters).unwrap();
         assert_eq!(document.words, again);
+    }
+
+    fn face(x: f64, y: f64, size: f64) -> Subject {
+        Subject {
+            x,
+            y,
+            width: size,
+            height: 1.2 * size,
+            label: FACE.to_owned(),
+            score: 0.9,
+            points: None,
+            expression: None,
+        }
+    }
+
+    #[test]
+    fn a_balloon_stays_while_its_text_grows_until_it_would_cover_a_face() {
+        let letters = Letters::bundled().unwrap();
+        let subjects = [face(0.55, 0.45, 0.25)];
+        let known = |_: &str| Known::from(&subjects[..]);
+        let mut document = page("splash", 1, &json!([balloon(0, "Look!")]), &json!({ "forScreens": true }));
+        settle(&mut document, known, &letters).unwrap();
+        let long = "There is something moving in the dark behind that door";
+        let mut stays = 0;
+        for count in 2..=10 {
+            let before = placed_words(&document, &letters)[0].1;
+            let text: Vec<&str> = long.split(' ').take(count).collect();
+            document.words[0].text = text.join(" ");
+            stays += usize::from(stay(&mut document, 0, before, known, &letters).unwrap());
+            let (word, area) = &placed_words(&document, &letters)[0];
+            assert!(
+                shared(before, *area) > 0.8 * before.width * before.height,
+                "{count}: {before:?} {area:?}"
+            );
+            assert!(word.tail.is_some() && word.is_auto());
+        }
+        assert_eq!(stays, 9);
+        // There is no place for a novel next to the face.
+        let (before, words) = (placed_words(&document, &letters)[0].1, document.words.clone());
+        document.words[0].text = long.repeat(12);
+        let moved = document.words.clone();
+        assert!(!stay(&mut document, 0, before, known, &letters).unwrap());
+        assert_eq!(document.words, moved);
+        // An item that the user placed is not automatic.
+        document.words = words;
+        document.words[0].auto = Some(false);
+        assert!(!stay(&mut document, 0, before, known, &letters).unwrap());
+    }
+
+    #[test]
+    fn balloons_of_a_panel_point_at_its_faces_in_turn() {
+        let letters = Letters::bundled().unwrap();
+        let nearest = |document: &Document, faces: &[Subject]| -> Vec<usize> {
+            let away =
+                |tail: Tail, face: &Subject| (tail.x - face.mouth()[0]).hypot(tail.y - face.mouth()[1]);
+            let face = |word: &TextItem| {
+                let tail = word.tail.unwrap();
+                (0..faces.len()).min_by(|&a, &b| away(tail, &faces[a]).total_cmp(&away(tail, &faces[b])))
+            };
+            document.words.iter().filter_map(face).collect()
+        };
+        let subjects = [face(0.1, 0.5, 0.22), face(0.65, 0.45, 0.26)];
+        let known = |_: &str| Known::from(&subjects[..]);
+        let named = |text: &str, by: &str| json!({ "kind": "balloon", "text": text, "panel": 0, "by": by });
+        let cases = [
+            (json!([balloon(0, "Did you hear that?"), balloon(0, "It came from below.")]), vec![0, 1]),
+            (json!([named("Did you hear that?", "a"), named("It came from below.", "b")]), vec![0, 1]),
+        ];
+        for (words, expected) in cases {
+            let mut document = page("splash", 1, &words, &json!({}));
+            settle(&mut document, known, &letters).unwrap();
+            assert_eq!(nearest(&document, &subjects), expected, "{words}");
+        }
+        let words = json!([named("Hear that?", "a"), named("Below.", "b"), named("Run!", "a")]);
+        let mut document = page("splash", 1, &words, &json!({}));
+        settle(&mut document, known, &letters).unwrap();
+        let [one, two, three] = nearest(&document, &subjects)[..] else { panic!() };
+        assert!(one != two && one == three, "{one} {two} {three}");
+        // The second one is added later, after a balloon that points at the right or at the left face.
+        for first in [0, 1] {
+            let [x, y] = subjects[first].mouth();
+            let fixed = json!({
+                "kind": "balloon", "text": "Did you hear that?", "panel": 0, "auto": false,
+                "x": 0.4 + 0.2 * first as f64, "y": 0.1, "tail": { "x": x, "y": y - 0.1 },
+            });
+            let mut document = page("splash", 1, &json!([fixed, balloon(0, "No.")]), &json!({}));
+            settle(&mut document, known, &letters).unwrap();
+            assert_eq!(nearest(&document, &subjects), [first, 1 - first]);
+        }
     }
 
     #[test]
