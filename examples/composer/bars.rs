@@ -124,6 +124,7 @@ fn counted(document: &Document, album: &[PhotoMeta], photos: &[Photo]) -> Result
             score: 1.0,
             points: None,
             expression: None,
+            light: None,
         };
         let (kept, _) = seen(&whole, &crop, bounds, &panels, &group);
         let enlarged = bounds.width * f64::from(page.width) / (crop.width * f64::from(photo.width));

@@ -115,6 +115,7 @@ fn detect(root: &Path) -> Result<(), Box<dyn Error>> {
                 score: rounded(found.score),
                 points: found.points.map(|points| points.map(|point| point.map(rounded))),
                 expression: None,
+                light: None,
             };
             let subjects: Vec<Subject> = detectors.detect(&image.image)?.into_iter().map(subject).collect();
             let id = path.file_name().unwrap_or_default().to_string_lossy().into_owned();

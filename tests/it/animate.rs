@@ -465,6 +465,7 @@ fn subject(label: &str, x: f64, y: f64, side: f64) -> Subject {
         score: 0.9,
         points: None,
         expression: None,
+        light: None,
     }
 }
 

@@ -55,6 +55,7 @@ fn photo(i: u64, random: &mut Rand64) -> (PhotoMeta, Image) {
         score: 0.9,
         points: None,
         expression: None,
+        light: None,
     };
     let meta = PhotoMeta {
         mask: Some(Matte::new(&shares, (width as usize, height as usize))),

@@ -54,6 +54,7 @@ fn a_face_is_kept_beside_another_that_has_to_stay_out() {
         score: 0.9,
         points: None,
         expression: None,
+        light: None,
     };
     let faces = vec![
         face(0.387_132_861_728, 0.490_073_316_136, 0.232_241_151_354, 0.344_182_113_196),
@@ -79,7 +80,7 @@ proptest! {
             .map(|(x, y, size)| {
                 let (fw, fh) = (size * w.min(h) / w, size * w.min(h) * 1.2 / h);
                 let (x, y) = (x * (1.0 - fw), y * (1.0 - fh).max(0.0));
-                Subject { x, y, width: fw, height: fh.min(1.0), label: FACE.into(), score: 0.9, points: None, expression: None }
+                Subject { x, y, width: fw, height: fh.min(1.0), label: FACE.into(), score: 0.9, points: None, expression: None, light: None }
             })
             .collect();
         if let Some(possible) = keeping_crop(w, h, aspect, &faces) {

@@ -56,6 +56,7 @@ fn points_are_those_of_litert() {
             height: bottom - top,
             points: Some(row.points),
             expression: None,
+            light: None,
         };
         let mesh = landmarks.mesh(&photo, &face).unwrap();
         assert!(

@@ -257,6 +257,7 @@ fn face(x: f64, y: f64) -> Subject {
         score: 0.9,
         points: None,
         expression: None,
+        light: None,
     }
 }
 

@@ -8,7 +8,17 @@ use inkpanel_engine::page::request::Request;
 use inkpanel_engine::page::shuffle::plan;
 
 fn subject(label: &str, [x, y, width, height]: [f64; 4]) -> Subject {
-    Subject { x, y, width, height, label: label.into(), score: 0.9, points: None, expression: None }
+    Subject {
+        x,
+        y,
+        width,
+        height,
+        label: label.into(),
+        score: 0.9,
+        points: None,
+        expression: None,
+        light: None,
+    }
 }
 
 /// Photos of objects. The first `people` photos contain one person each.

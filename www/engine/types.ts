@@ -1391,6 +1391,11 @@ export type Subject = {
   points?: ReadonlyArray<[number, number]>,
   /** Eyes and mouth of a face. `None` for objects and small faces, and without the landmark model. */
   expression?: Expression,
+  /**
+   * Light of a face, compared with its photo: 0 in the shade of a bright photo, 1 in light. `None` for objects, and for faces
+   * of old projects.
+   */
+  light?: number,
 };
 
 /** Eyes and mouth of a face, as ratios of distances in the face. */
@@ -1780,6 +1785,8 @@ export type Detection = {
   points?: ReadonlyArray<[number, number]>,
   /** Eyes and mouth of a face. `None` for objects and small faces, and without the landmark model. */
   expression?: Expression,
+  /** Light of a face, compared with its photo: 0 in the shade of a bright photo, 1 in light. `None` for objects. */
+  light?: number,
 };
 
 /** Result of the first search for faces. */

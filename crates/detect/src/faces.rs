@@ -1,10 +1,10 @@
 //! Faces: `BlazeFace` (Bazarevsky et al., "Sub-millisecond Neural Face Detection on Mobile GPUs"), the
 //! full-range model. Its input is 192 x 192 pixels, and it finds faces from about a tenth of that side.
 
-use super::Detection;
 use super::letterbox::{Letterbox, letterbox, letterbox_with_margin};
 use super::model::Net;
 use super::ssd::{Candidate, corners, sigmoid, suppress, suppress_parts};
+use super::{Detection, light};
 use inkpanel_image::error::{Error, Result};
 use inkpanel_image::raster::Image;
 use inkpanel_image::raster::resize::Region;
@@ -71,15 +71,21 @@ impl Faces {
     /// # Errors
     /// `detector` if the model fails.
     pub fn search(&self, photo: &Image) -> Result<Vec<Detection>> {
-        let first = self.look(photo)?;
-        if first.iter().any(|face| face.score >= UNSURE) {
-            return Ok(first);
+        let mut found = self.look(photo)?;
+        if !found.iter().any(|face| face.score >= UNSURE) {
+            found = self.with_filling(photo, &found)?;
         }
+        light::add(photo, &mut found);
+        Ok(found)
+    }
+
+    /// Returns `first` and the faces that fill the photo.
+    fn with_filling(&self, photo: &Image, first: &[Detection]) -> Result<Vec<Detection>> {
         let whole = Region::whole(photo.width(), photo.height());
         let input = letterbox_with_margin(photo, whole, self.net.side(), INNER);
         let large = |candidate: &Candidate| candidate.corners[3] - candidate.corners[1] >= FILLING;
         let found = self.read(input, CLOSER_THRESHOLD)?.into_iter().filter(large);
-        Ok(detections(suppress(candidates(&first).chain(found).collect(), SAME)))
+        Ok(detections(suppress(candidates(first).chain(found).collect(), SAME)))
     }
 
     /// Returns all faces, including small ones that appear in overlapping quarters or ninths of the photo. The
@@ -93,7 +99,9 @@ impl Faces {
         if worth_the_closest_look(photo, &all) {
             all.extend(self.in_parts(photo, (3, SMALLER_PART))?);
         }
-        Ok(detections(suppress_parts(all, SAME)))
+        let mut found = detections(suppress_parts(all, SAME));
+        light::add(photo, &mut found);
+        Ok(found)
     }
 
     /// The faces in overlapping parts of a photo: the number of parts along a side, and the side of one.
@@ -180,6 +188,7 @@ fn detections(candidates: Vec<Candidate>) -> Vec<Detection> {
         height: bottom - top,
         points,
         expression: None,
+        light: None,
     };
     candidates.into_iter().map(detection).filter(|face| face.width > 0.0 && face.height > 0.0).collect()
 }
@@ -229,6 +238,7 @@ mod tests {
             height: size,
             points: None,
             expression: None,
+            light: None,
         };
         assert!(worth_a_closer_look(&photo(1600), &[]));
         assert!(worth_a_closer_look(&photo(1600), &[face(0.05)]));

@@ -247,6 +247,7 @@ mod tests {
             height: width,
             points: Some(points),
             expression: None,
+            light: None,
         }
     }
 

@@ -15,6 +15,7 @@ mod enlarge;
 mod faces;
 mod landmarks;
 mod letterbox;
+mod light;
 mod model;
 mod objects;
 mod operators;
@@ -80,6 +81,10 @@ pub struct Detection {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "typescript", ts(optional))]
     pub expression: Option<Expression>,
+    /// Light of a face, compared with its photo: 0 in the shade of a bright photo, 1 in light. `None` for objects.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
+    pub light: Option<f64>,
 }
 
 /// Result of the first search for faces.

@@ -75,6 +75,7 @@ fn detection(label: &'static str, kept: Candidate) -> Detection {
         height: bottom - top,
         points: None,
         expression: None,
+        light: None,
     }
 }
 

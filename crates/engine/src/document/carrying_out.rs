@@ -724,6 +724,7 @@ mod tests {
             score: 0.9,
             points: None,
             expression: None,
+            light: None,
         };
         desk.photos[1].subjects = vec![face];
         let fit = |panel: usize| json!({ "type": "crop-panel", "panel": panel, "crop": { "type": "fit" } });

@@ -358,8 +358,9 @@ fn subject(value: Value) -> Option<Subject> {
 }
 
 fn is_valid(subject: &Subject) -> bool {
-    let Subject { x, y, width, height, score, points, expression, .. } = subject;
-    let mut numbers = [x, y, width, height, score].into_iter().chain(points.iter().flatten().flatten());
+    let Subject { x, y, width, height, score, points, expression, light, .. } = subject;
+    let mut numbers =
+        [x, y, width, height, score].into_iter().chain(points.iter().flatten().flatten()).chain(light);
     numbers.all(|number| (-1.0..=2.0).contains(number))
         && expression.as_ref().is_none_or(Expression::is_sound)
 }

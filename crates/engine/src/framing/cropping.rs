@@ -112,6 +112,7 @@ mod tests {
             score,
             points: None,
             expression: None,
+            light: None,
         };
         let face = subject(FACE, 0.6, (0.6, 0.2, 0.1, 0.2));
         let dog = subject("dog", 0.9, (0.1, 0.5, 0.3, 0.3));

@@ -124,7 +124,17 @@ mod tests {
     }
 
     fn subject(label: &str, x: f64, y: f64, width: f64, height: f64) -> Subject {
-        Subject { x, y, width, height, label: label.into(), score: 0.9, points: None, expression: None }
+        Subject {
+            x,
+            y,
+            width,
+            height,
+            label: label.into(),
+            score: 0.9,
+            points: None,
+            expression: None,
+            light: None,
+        }
     }
 
     fn keeps(crop: &Crop, s: &Subject) -> bool {

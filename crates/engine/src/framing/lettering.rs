@@ -124,6 +124,7 @@ pub fn lettering(image: &Image) -> Vec<Subject> {
         score: SCORE,
         points: None,
         expression: None,
+        light: None,
     };
     blocks.iter().take(MOST).map(subject).collect()
 }

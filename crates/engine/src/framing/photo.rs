@@ -135,8 +135,17 @@ impl PhotoMeta {
         let facts = self.mask.as_ref()?.facts();
         let [x, y, width, height] = facts.bounds;
         let label = FIGURE.to_owned();
-        let figure =
-            Subject { x, y, width, height, label, score: facts.confidence, points: None, expression: None };
+        let figure = Subject {
+            x,
+            y,
+            width,
+            height,
+            label,
+            score: facts.confidence,
+            points: None,
+            expression: None,
+            light: None,
+        };
         (!facts.is_vague() && !figure.is_scenery()).then_some(figure)
     }
 
@@ -278,6 +287,11 @@ pub struct Subject {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
     pub expression: Option<Expression>,
+    /// Light of a face, compared with its photo: 0 in the shade of a bright photo, 1 in light. `None` for objects, and for faces
+    /// of old projects.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub light: Option<f64>,
 }
 
 /// Labels of animals.
@@ -370,12 +384,12 @@ impl Subject {
 #[cfg(feature = "detect")]
 impl From<crate::detect::Detection> for Subject {
     fn from(found: crate::detect::Detection) -> Self {
-        let crate::detect::Detection { label, score, x, y, width, height, points, expression } = found;
+        let crate::detect::Detection { label, score, x, y, width, height, points, expression, light } = found;
         let expression = expression.map(|found| {
             let crate::detect::Expression { right_eye, left_eye, mouth, smile } = found;
             Expression { right_eye, left_eye, mouth, smile }
         });
-        Self { x, y, width, height, label, score, points, expression }
+        Self { x, y, width, height, label, score, points, expression, light }
     }
 }
 

@@ -102,6 +102,7 @@ mod tests {
             score,
             points: None,
             expression: None,
+            light: None,
         }
     }
 

@@ -325,6 +325,7 @@ mod tests {
             score: 0.9,
             points: None,
             expression: None,
+            light: None,
         };
         let mut request = request(8, 3);
         for photo in &mut request.photos {

@@ -678,6 +678,7 @@ mod tests {
             score: 0.95,
             points: None,
             expression: None,
+            light: None,
         };
         // The hero panel is landscape, so a portrait photo would be cut there.
         photos_given[4].subjects.push(face);

@@ -539,6 +539,7 @@ mod tests {
                 score: 0.95,
                 points: Some(points),
                 expression: None,
+                light: None,
             }]);
         }
         assert_eq!(made(&photos, None, false).leaves[0].photos, [25]);
@@ -601,6 +602,7 @@ mod tests {
                 score: 0.95,
                 points: None,
                 expression: None,
+                light: None,
             }]);
         }
         photos[25].starred = true;
@@ -624,6 +626,7 @@ mod tests {
                 score: 0.9,
                 points: None,
                 expression: None,
+                light: None,
             };
             photos[at].find([all]);
         }

@@ -355,6 +355,7 @@ mod tests {
                 score: 0.95,
                 points: None,
                 expression: None,
+                light: None,
             };
             all[0].find((0..faces).map(face));
             let shelf = Shelf::new(all.len());

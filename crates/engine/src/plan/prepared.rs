@@ -48,6 +48,8 @@ const KNOWN: f64 = 0.56;
 const PROFILE: f64 = 0.2;
 /// The part that shut eyes lose.
 const SHUT: f64 = 0.25;
+/// The part that a face in the shade of a bright photo loses.
+const UNLIT: f64 = 0.4;
 /// Bonus of each face of a group after the first, and the number of faces with a bonus.
 const GROUP: (f64, usize) = (0.06, 4);
 /// The part of a photo that lettering covers on a document, and on a photo of a sign.
@@ -197,9 +199,12 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     let is_crowd = strangers >= CROWD.0 && strangers == people().count();
     let certain =
         |face: &Subject| ((face.score - DOUBTFUL.0) / (DOUBTFUL.1 - DOUBTFUL.0)).clamp(0.0, 1.0).sqrt();
-    // A look at the camera comes before a profile and shut eyes.
-    let open =
-        |face: &Subject| (1.0 - PROFILE * face.gaze().abs()) * if face.is_shut() { 1.0 - SHUT } else { 1.0 };
+    // A look at the camera in good light comes before a profile, shut eyes, and a face in the shade.
+    let open = |face: &Subject| {
+        let shut = if face.is_shut() { SHUT } else { 0.0 };
+        let unlit = UNLIT * (1.0 - face.light.unwrap_or(1.0));
+        (1.0 - PROFILE * face.gaze().abs()) * (1.0 - shut) * (1.0 - unlit)
+    };
     let clearest = |person: &Subject| {
         let known = faces().filter(|face| person.surrounds(face));
         known.map(|face| certain(face) * open(face)).fold(0.0, f64::max)
@@ -238,7 +243,8 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     let alive = subjects.iter().any(|s| s.is_alive() && value(s) >= least(s));
     let tallest = faces().map(|face| face.height).fold(0.0, f64::max);
     let group = faces().filter(|face| face.height >= 0.5 * tallest && side(face) >= 0.03);
-    let mut group: Vec<f64> = group.map(|face| certain(face) * (1.0 - face.gaze().abs())).collect();
+    let mut group: Vec<f64> =
+        group.map(|face| certain(face) * (1.0 - face.gaze().abs()) * face.light.unwrap_or(1.0)).collect();
     group.sort_by(|a, b| b.total_cmp(a));
     let bonus = GROUP.0 * group.iter().skip(1).take(GROUP.1).sum::<f64>();
     // Detectors report screenshots and receipts as a phone or television that fills the photo, and see faces in them.
@@ -417,7 +423,17 @@ mod tests {
     use crate::framing::Expression;
 
     fn subject(label: &str, score: f64, [x, y, width, height]: [f64; 4]) -> Subject {
-        Subject { label: label.into(), score, x, y, width, height, points: None, expression: None }
+        Subject {
+            label: label.into(),
+            score,
+            x,
+            y,
+            width,
+            height,
+            points: None,
+            expression: None,
+            light: None,
+        }
     }
 
     /// A photo of this size whose two commonest tones cover `flat` of it.
@@ -552,6 +568,22 @@ mod tests {
         assert!(shut < 0.8 * open && shut > 0.7 * open, "{shut} {open}");
         assert!((unknown - open).abs() < 1e-12, "{unknown} {open}");
         assert_eq!(kind, Kind::Alive);
+    }
+
+    #[test]
+    fn a_face_in_the_shade_counts_less() {
+        let value = |light: Option<f64>, others: usize| {
+            let mut group = photo(1600, 1067, 60);
+            let face =
+                |i: usize| Subject { light, ..subject(FACE, 0.95, [0.02 + 0.24 * i as f64, 0.2, 0.2, 0.3]) };
+            group.find((0..=others).map(face));
+            care(&group).0
+        };
+        let (shade, half, lit) = (value(Some(0.0), 0), value(Some(0.5), 0), value(Some(1.0), 0));
+        assert!(shade < 0.7 * lit && shade < half && half < lit, "{shade} {half} {lit}");
+        assert!((value(None, 0) - lit).abs() < 1e-12);
+        // A group in the shade is worth no more than one person in it.
+        assert!((value(Some(0.0), 3) - shade).abs() < 1e-12);
     }
 
     #[test]

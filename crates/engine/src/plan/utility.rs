@@ -291,6 +291,7 @@ mod tests {
             height,
             points: None,
             expression: None,
+            light: None,
         }]);
         let prepared = Prepared::of(&photo);
         let cut = |crop: Crop| Look::at(slot, &prepared, &crop, 1.0, false).faces_cut;
@@ -321,6 +322,7 @@ mod tests {
                 height: 0.8,
                 points: None,
                 expression: None,
+                light: None,
             };
             let face = Subject { label: FACE.into(), y: 0.5, height: 0.2, ..body.clone() };
             photo.find([body].into_iter().chain(with_face.then_some(face)));
@@ -343,7 +345,17 @@ mod tests {
             let mut photo = PhotoMeta::unmeasured("photo", 1500, 1000);
             photo.find(heights.iter().enumerate().map(|(i, &height)| {
                 let (label, x) = (FACE.into(), 0.1 + 0.2 * i as f64);
-                Subject { label, score: 0.95, x, y: 0.15, width: 0.1, height, points: None, expression: None }
+                Subject {
+                    label,
+                    score: 0.95,
+                    x,
+                    y: 0.15,
+                    width: 0.1,
+                    height,
+                    points: None,
+                    expression: None,
+                    light: None,
+                }
             }));
             Look::at(slot, &Prepared::of(&photo), &whole, 1.0, false).small_faces
         };

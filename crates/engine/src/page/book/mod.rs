@@ -390,6 +390,7 @@ mod tests {
             score: 0.9,
             points: None,
             expression: None,
+            light: None,
         };
         PhotoMeta {
             fingerprint: (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),

@@ -519,6 +519,7 @@ mod tests {
             score: 0.9,
             points: None,
             expression: None,
+            light: None,
         };
         let subjects = [face];
         let known = |_: &str| Known::from(&subjects[..]);
