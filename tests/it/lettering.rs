@@ -8,7 +8,7 @@ mod pages;
 
 use crate::golden::Goldens;
 use inkpanel_engine::framing::{PhotoMeta, Subject};
-use inkpanel_engine::layout::{Bounds, Point};
+use inkpanel_engine::layout::Point;
 use inkpanel_engine::page::words::layout::{Chain, Ground, lay_all, measured};
 use inkpanel_engine::page::words::place::{self, Known};
 use inkpanel_engine::page::words::{Letters, TextItem, draw};
@@ -441,37 +441,6 @@ fn a_sound_effect_is_smaller_where_it_would_cover_a_face() {
         let above = small.y + small.height <= y || small.y >= y + face.height * frame.height;
         assert!(beside || above, "{face:?}");
     }
-}
-
-/// Returns the page of a text item on one panel, and the bounds of the item.
-fn alone(text: &str, faces: &[Subject]) -> (Document, Bounds) {
-    let mut page = page_of(&said(&[(text, None)], faces));
-    page.panels[0].photo = Some("photo".into());
-    let area = &measured(&page, &letters()).unwrap()[0];
-    let bounds = Bounds { x: area.x, y: area.y, width: area.width, height: area.height };
-    (page, bounds)
-}
-
-#[test]
-fn text_that_becomes_longer_stays_where_it_fits() {
-    let faces = [face(0.45, 0.7)];
-    let known = |_: &str| Known { subjects: &faces, mask: None };
-    let (mut page, before) = alone("Wait", &faces);
-    page.words[0].text = "Wait for me at the station".into();
-    assert!(place::stay(&mut page, 0, before, known, &letters()).unwrap());
-    let after = &measured(&page, &letters()).unwrap()[0];
-    let across = (before.x + before.width).min(after.x + after.width) - before.x.max(after.x);
-    let down = (before.y + before.height).min(after.y + after.height) - before.y.max(after.y);
-    assert!(across * down > 0.75 * before.width * before.height, "{before:?} {after:?}");
-    // On a face, nothing changes.
-    let large = [Subject { width: 0.9, height: 0.9, ..face(0.05, 0.05) }];
-    let words = page.words.clone();
-    let is_there = |_: &str| Known { subjects: &large, mask: None };
-    assert!(!place::stay(&mut page, 0, before, is_there, &letters()).unwrap());
-    assert_eq!(page.words, words);
-    // An item that the user placed is not moved.
-    page.words[0].auto = Some(false);
-    assert!(!place::stay(&mut page, 0, before, known, &letters()).unwrap());
 }
 
 #[test]

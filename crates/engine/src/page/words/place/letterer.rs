@@ -29,6 +29,8 @@ use crate::page::words::model::{Kind, TextItem};
 const STEPS: usize = 15;
 /// Beam width of the placement search. Smaller for panels with many text items.
 const BEAM: usize = 24;
+/// Sets for each face beside the best ones.
+const LEAST_SHARE: usize = 6;
 /// Panels with more text items than this are filled one item after the other.
 const CROWD: usize = 12;
 /// Candidate positions of one text item that enter the search.
@@ -308,7 +310,20 @@ impl Room<'_> {
                 }
             }
             next.sort_by(|a, b| a.0.total_cmp(&b.0));
-            next.truncate(if group.len() > CROWD { 1 } else { BEAM });
+            // The best sets, and some for each face, because the last item may need a face that costs the first one more.
+            let mut counts = vec![0; self.seen.len()];
+            let mut rank = 0;
+            next.retain(|&(_, _, at)| {
+                rank += 1;
+                let share = places[at].speaker.map_or(usize::MAX, |face| {
+                    counts[face] += 1;
+                    counts[face]
+                });
+                rank <= BEAM || share <= LEAST_SHARE
+            });
+            if group.len() > CROWD {
+                next.truncate(1);
+            }
             let carried = next.into_iter().map(|(cost, set, at)| {
                 let mut set = beam[set].1.clone();
                 set.push(places[at]);
