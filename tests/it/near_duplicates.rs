@@ -213,6 +213,7 @@ fn a_photo_with_open_eyes_is_used_instead_of_a_sharper_one() {
             score: 0.9,
             points: None,
             expression: Some(expression),
+            light: None,
         }
     };
     let kept = |album: &Album| -> Vec<(bool, String)> {

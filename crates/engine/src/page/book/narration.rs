@@ -374,8 +374,9 @@ mod tests {
     /// A photo with a face in a box of `[x, y, width, height]`, and a page that shows all of it.
     fn portrait([x, y, width, height]: [f64; 4]) -> (PhotoMeta, Document) {
         let mut photo = PhotoMeta::unmeasured("p0", 2000, 3000);
-        let (label, points, expression) = (FACE.into(), None, None);
-        photo.find([Subject { label, score: 0.9, x, y, width, height, points, expression }]);
+        let label = FACE.to_owned();
+        let (points, expression, light) = (None, None, None);
+        photo.find([Subject { label, score: 0.9, x, y, width, height, points, expression, light }]);
         let request =
             Request { layout: Some("splash".into()), photos: vec![photo.clone()], ..Request::default() };
         let mut page = plan(&request).unwrap();

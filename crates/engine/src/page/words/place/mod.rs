@@ -496,6 +496,7 @@ mod tests {
                 score: 0.9,
                 points: None,
                 expression: Some(Expression { right_eye: 0.3, left_eye: 0.3, mouth, smile: 0.0 }),
+                light: None,
             };
             let subjects = [face((0.15, lips[0])), face((0.65, lips[1]))];
             let mut document = page("splash", 1, &json!([balloon(0, "It was me!")]), &json!({}));
@@ -558,6 +559,7 @@ mod tests {
             score: 0.9,
             points: None,
             expression: None,
+            light: None,
         }
     }
 
