@@ -167,6 +167,13 @@ pub fn is_document(photo: &PhotoMeta) -> bool {
     care(photo).1 == Kind::Document
 }
 
+/// The value of a face, 0 to 1: a look at the camera in good light comes before a profile, shut eyes, and a face in the shade.
+fn clearness(face: &Subject) -> f64 {
+    let shut = if face.is_shut() { SHUT } else { 0.0 };
+    let unlit = UNLIT * (1.0 - face.light.unwrap_or(1.0));
+    (1.0 - PROFILE * face.gaze().abs()) * (1.0 - shut) * (1.0 - unlit)
+}
+
 /// Returns the interest of a photo, and its kind.
 fn care(photo: &PhotoMeta) -> (f64, Kind) {
     let subjects: Vec<_> = photo.marked().filter(|s| is_sound(s)).collect();
@@ -199,15 +206,9 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     let is_crowd = strangers >= CROWD.0 && strangers == people().count();
     let certain =
         |face: &Subject| ((face.score - DOUBTFUL.0) / (DOUBTFUL.1 - DOUBTFUL.0)).clamp(0.0, 1.0).sqrt();
-    // A look at the camera in good light comes before a profile, shut eyes, and a face in the shade.
-    let open = |face: &Subject| {
-        let shut = if face.is_shut() { SHUT } else { 0.0 };
-        let unlit = UNLIT * (1.0 - face.light.unwrap_or(1.0));
-        (1.0 - PROFILE * face.gaze().abs()) * (1.0 - shut) * (1.0 - unlit)
-    };
     let clearest = |person: &Subject| {
         let known = faces().filter(|face| person.surrounds(face));
-        known.map(|face| certain(face) * open(face)).fold(0.0, f64::max)
+        known.map(|face| certain(face) * clearness(face)).fold(0.0, f64::max)
     };
     let value = |s: &Subject| {
         let score = if s.label == FACE { certain(s) } else { s.score.clamp(0.0, 1.0).sqrt() };
@@ -218,7 +219,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
             FACE => {
                 let owned = s.score > SURE || side(s) > 0.12 || people().any(|person| person.surrounds(s));
                 // A portrait comes before a figure in a landscape.
-                (if owned { 1.0 } else { 0.4 }) * open(s) * (0.4 + 0.4 * size(0.14) + 0.2 * size(0.28))
+                (if owned { 1.0 } else { 0.4 }) * clearness(s) * (0.4 + 0.4 * size(0.14) + 0.2 * size(0.28))
             }
             // A person without a face is seen from behind, or is a passer-by.
             "person" if is_known(s) => {
