@@ -7,7 +7,7 @@ export default {
   testDir: '.',
   outputDir: '../results/wasm',
   workers: 1,
-  timeout: 60_000,
+  timeout: 240_000,
   reporter: [['list']],
   forbidOnly: !!process.env.CI,
   use: { launchOptions: CHROMIUM },
