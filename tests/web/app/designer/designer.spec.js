@@ -43,24 +43,24 @@ test('mouse: blocks are added, moved, bypassed, duplicated, removed and undone, 
 
   await cards(page).nth(1).getByRole('button', { name: 'Move up' }).click();
   expect(await names(page)).toEqual(['Posterization', 'Gaussian Smoothing']);
-  expect(await preview(page)).not.toBe(built);
+  await expect.poll(() => preview(page)).not.toBe(built);
   await cards(page).nth(0).locator('.card-head').dragTo(cards(page).nth(1).locator('.parameter').last());
   expect(await names(page)).toEqual(['Gaussian Smoothing', 'Posterization']);
-  expect(await preview(page)).toBe(built);
+  await expect.poll(() => preview(page)).toBe(built);
 
   const bypass = cards(page).nth(1).getByRole('button', { name: 'Bypass' });
   await bypass.click();
   await expect(bypass).toHaveAttribute('aria-pressed', 'true');
-  expect(await preview(page)).not.toBe(built);
+  await expect.poll(() => preview(page)).not.toBe(built);
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
   await expect(bypass).toHaveAttribute('aria-pressed', 'false');
-  expect(await preview(page)).toBe(built);
+  await expect.poll(() => preview(page)).toBe(built);
 
   await cards(page).first().getByRole('button', { name: 'More' }).click();
   await cards(page).first().getByRole('button', { name: 'Duplicate' }).click();
   expect(await names(page)).toEqual(['Gaussian Smoothing', 'Gaussian Smoothing', 'Posterization']);
   await cards(page).first().getByRole('button', { name: 'Remove' }).click();
-  expect(await preview(page)).toBe(built);
+  await expect.poll(() => preview(page)).toBe(built);
 
   const before = await picture(page);
   await button(page, 'Use').click();
@@ -120,7 +120,7 @@ test('a slider updates the preview during a drag, and the drag is one undo step'
   expect(Number(await number.inputValue())).toBeGreaterThan(5);
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
   await expect(number).toHaveValue('2');
-  expect(await preview(page)).toBe(start);
+  await expect.poll(() => preview(page)).toBe(start);
   await number.fill('999');
   await number.press('Enter');
   await expect(number).toHaveValue('50');
@@ -142,7 +142,7 @@ test('a block that needs gray adds To GrayScale, and an error offers to add it',
   await button(page, 'Use').click();
   await expect(page.getByRole('alert')).toContainText(/background\[0\] \(pattern\): needs gray/);
   await page.getByRole('button', { name: 'Add Grayscale before it' }).click();
-  expect(await preview(page)).toBe(drawnGray);
+  await expect.poll(() => preview(page)).toBe(drawnGray);
 });
 
 test('keyboard: a style is built, saved, and edited after a reload', async ({ page }) => {
@@ -169,7 +169,7 @@ test('keyboard: a style is built, saved, and edited after a reload', async ({ pa
   const before = await preview(page);
   await slider.focus();
   for (let i = 0; i < 5; i += 1) await page.keyboard.press('ArrowRight');
-  expect(await preview(page)).not.toBe(before);
+  await expect.poll(() => preview(page)).not.toBe(before);
   await page.keyboard.press('Control+z');
   await cards(page).nth(1).focus();
   await page.keyboard.press('Delete');

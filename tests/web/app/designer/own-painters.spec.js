@@ -52,11 +52,11 @@ test('an own model paints previews and pages, also after a reload, and can be re
   const last = await preview(page);
   expect(last).not.toBe(own);
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
-  expect(await preview(page)).toBe(own);
+  await expect.poll(() => preview(page)).toBe(own);
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
-  expect(await preview(page)).toBe(builtIn);
+  await expect.poll(() => preview(page)).toBe(builtIn);
   await page.getByRole('button', { name: 'Redo', exact: true }).click();
-  expect(await preview(page)).toBe(own);
+  await expect.poll(() => preview(page)).toBe(own);
 
   await button(page, 'Use').click();
   await idle(page);
@@ -70,11 +70,11 @@ test('an own model paints previews and pages, also after a reload, and can be re
   await page.getByRole('button', { name: 'Style designer', exact: true }).click();
   await drawn(page);
   await expect(choice(page).getByRole('option', { selected: true })).toHaveText('My night.onnx');
-  expect(await preview(page)).toBe(own);
+  await expect.poll(() => preview(page)).toBe(own);
   await choice(page).getByRole('button', { name: 'Use the built-in painters' }).click();
-  expect(await preview(page)).toBe(builtIn);
+  await expect.poll(() => preview(page)).toBe(builtIn);
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
-  expect(await preview(page)).toBe(own);
+  await expect.poll(() => preview(page)).toBe(own);
 });
 
 test('a style without its model is drawn with the built-in painters, says so, and is complete again', async ({
@@ -124,5 +124,5 @@ test('files that are no models give their reason, and change nothing', async ({ 
     await page.getByRole('button', { name: 'Dismiss' }).first().click();
   }
   await expect(choice(page).getByRole('option', { selected: true })).toHaveText('mine.onnx');
-  expect(await preview(page)).toBe(own);
+  await expect.poll(() => preview(page)).toBe(own);
 });

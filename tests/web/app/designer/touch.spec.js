@@ -40,7 +40,7 @@ test('a card is dragged by its handle, also to the other layer, and a swipe next
   await expect
     .poll(() => names(page))
     .toEqual(['Posterization', 'Gaussian Smoothing', 'Saturation', 'XDoG', 'Soft Threshold']);
-  expect(await preview(page)).not.toBe(before);
+  await expect.poll(() => preview(page)).not.toBe(before);
   expect(await lanes.evaluate((element) => element.scrollTop)).toBe(0);
 
   // To the other layer, as one undo step.

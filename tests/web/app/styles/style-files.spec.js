@@ -38,7 +38,7 @@ test('a style is exported as a file and a link, and imported from both', async (
     .getByLabel('Style file')
     .setInputFiles({ name: 'dots.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(file)) });
   await expect(cards(page)).toHaveCount(1);
-  expect(await preview(page)).toBe(made);
+  await expect.poll(() => preview(page)).toBe(made);
   const wrong = { ...file, background: [{ block: 'halftone' }, { block: 'posterize', levels: 900 }] };
   await page
     .getByLabel('Style file')
