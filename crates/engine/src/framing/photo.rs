@@ -294,6 +294,8 @@ pub struct Subject {
     pub light: Option<f64>,
 }
 
+/// The part of its value that a face in the shade of a bright photo loses.
+const UNLIT: f64 = 0.4;
 /// Labels of animals.
 const ANIMALS: [&str; 10] =
     ["bird", "cat", "dog", "horse", "sheep", "cow", "elephant", "bear", "zebra", "giraffe"];
@@ -341,11 +343,17 @@ impl Subject {
         self.expression.is_some_and(|expression| expression.openness() < SHUT)
     }
 
-    /// How clearly a face is seen, 0 to 1: less with shut eyes, and if it looks to the side.
+    /// How clearly a face is seen, 0 to 1: less with shut eyes, if it looks to the side, and in the shade.
     #[must_use]
     pub fn clearness(&self) -> f64 {
         let eyes = self.expression.map_or(1.0, |expression| (expression.openness() / OPEN).clamp(0.2, 1.0));
-        eyes * (1.0 - 0.8 * self.gaze().abs())
+        eyes * (1.0 - 0.8 * self.gaze().abs()) * self.lit()
+    }
+
+    /// The value of a face by its light: 1 in light, and 0.6 in the shade of a bright photo.
+    #[must_use]
+    pub fn lit(&self) -> f64 {
+        1.0 - UNLIT * (1.0 - self.light.unwrap_or(1.0))
     }
 
     /// The subjects that styles protect: faces, or animals in photos without faces.

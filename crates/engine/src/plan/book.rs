@@ -543,6 +543,12 @@ mod tests {
             }]);
         }
         assert_eq!(made(&photos, None, false).leaves[0].photos, [25]);
+        // Of two such faces, the one in light is on the cover, not the earlier one in the shade.
+        let mut shade = photos[25].subjects.clone();
+        photos[29].find(shade.clone());
+        shade[0].light = Some(0.0);
+        photos[25].find(shade);
+        assert_eq!(made(&photos, None, false).leaves[0].photos, [29]);
     }
 
     #[test]

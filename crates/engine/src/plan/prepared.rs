@@ -48,8 +48,6 @@ const KNOWN: f64 = 0.56;
 const PROFILE: f64 = 0.2;
 /// The part that shut eyes lose.
 const SHUT: f64 = 0.25;
-/// The part that a face in the shade of a bright photo loses.
-const UNLIT: f64 = 0.4;
 /// Bonus of each face of a group after the first, and the number of faces with a bonus.
 const GROUP: (f64, usize) = (0.06, 4);
 /// The part of a photo that lettering covers on a document, and on a photo of a sign.
@@ -168,10 +166,9 @@ pub fn is_document(photo: &PhotoMeta) -> bool {
 }
 
 /// The value of a face, 0 to 1: a look at the camera in good light comes before a profile, shut eyes, and a face in the shade.
-fn clearness(face: &Subject) -> f64 {
+fn face_value(face: &Subject) -> f64 {
     let shut = if face.is_shut() { SHUT } else { 0.0 };
-    let unlit = UNLIT * (1.0 - face.light.unwrap_or(1.0));
-    (1.0 - PROFILE * face.gaze().abs()) * (1.0 - shut) * (1.0 - unlit)
+    (1.0 - PROFILE * face.gaze().abs()) * (1.0 - shut) * face.lit()
 }
 
 /// Returns the interest of a photo, and its kind.
@@ -208,7 +205,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         |face: &Subject| ((face.score - DOUBTFUL.0) / (DOUBTFUL.1 - DOUBTFUL.0)).clamp(0.0, 1.0).sqrt();
     let clearest = |person: &Subject| {
         let known = faces().filter(|face| person.surrounds(face));
-        known.map(|face| certain(face) * clearness(face)).fold(0.0, f64::max)
+        known.map(|face| certain(face) * face_value(face)).fold(0.0, f64::max)
     };
     let value = |s: &Subject| {
         let score = if s.label == FACE { certain(s) } else { s.score.clamp(0.0, 1.0).sqrt() };
@@ -219,7 +216,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
             FACE => {
                 let owned = s.score > SURE || side(s) > 0.12 || people().any(|person| person.surrounds(s));
                 // A portrait comes before a figure in a landscape.
-                (if owned { 1.0 } else { 0.4 }) * clearness(s) * (0.4 + 0.4 * size(0.14) + 0.2 * size(0.28))
+                (if owned { 1.0 } else { 0.4 }) * face_value(s) * (0.4 + 0.4 * size(0.14) + 0.2 * size(0.28))
             }
             // A person without a face is seen from behind, or is a passer-by.
             "person" if is_known(s) => {
