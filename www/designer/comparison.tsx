@@ -3,7 +3,7 @@
  * parts.
  */
 
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
@@ -54,7 +54,8 @@ export function Comparison({
   const drawn = useRef(subject);
   drawn.current = subject;
 
-  useEffect(() => {
+  // Layout effects, so that the preview is busy as soon as its style changes.
+  useLayoutEffect(() => {
     const alerts = messages.alertGroup();
     const made = createPreviewLoop({
       draw: (...wish) => drawn.current.draw(...wish),
@@ -76,7 +77,7 @@ export function Comparison({
     };
   }, []);
 
-  useEffect(() => {
+  useLayoutEffect(() => {
     const { clientWidth = 0, clientHeight = 0 } = box.current ?? {};
     const full = Math.min(subject.most, screenPixels(Math.min(clientWidth, (clientHeight * size.width) / size.height)));
     loop.current?.show({ style, ...size, full });
