@@ -18,10 +18,11 @@
 
 use super::Detection;
 use inkpanel_image::raster::Image;
+use inkpanel_image::simd::tones::Tones;
 
 /// Percentiles of luma that count as highlights and as middle tones.
-const HIGHLIGHTS: usize = 95;
-const MIDDLE: usize = 50;
+const HIGHLIGHTS: f32 = 95.0;
+const MIDDLE: f32 = 50.0;
 /// Ratio of highlights to middle tones of pale skin in usual light, and the largest credit for a larger ratio.
 const RELIEF: f64 = 1.35;
 const MOST_CREDIT: f64 = 1.3;
@@ -36,24 +37,23 @@ pub(super) fn add(photo: &Image, faces: &mut [Detection]) {
     if faces.is_empty() {
         return;
     }
-    let whole = tones(photo, [0.0, 0.0, 1.0, 1.0], false);
-    let Some(brightest) = percentile(&whole, HIGHLIGHTS) else { return };
+    let brightest = percentiles(&lumas(photo, [0.0, 0.0, 1.0, 1.0], false), [HIGHLIGHTS]);
+    let Some([brightest]) = brightest else { return };
     for face in faces {
-        let counts = tones(photo, [face.x, face.y, face.width, face.height], true);
-        face.light =
-            percentile(&counts, HIGHLIGHTS).zip(percentile(&counts, MIDDLE)).map(|(high, middle)| {
-                let relief = high / middle.max(1.0);
-                let bright = high / brightest.max(1.0) * (relief / RELIEF).clamp(1.0, MOST_CREDIT);
-                let light = ((bright - UNLIT) / (LIT - UNLIT)).clamp(0.0, 1.0);
-                // Two digits are enough, and keep projects small.
-                (light * 100.0).round() / 100.0
-            });
+        let samples = lumas(photo, [face.x, face.y, face.width, face.height], true);
+        face.light = percentiles(&samples, [HIGHLIGHTS, MIDDLE]).map(|[high, middle]| {
+            let relief = high / middle.max(1.0);
+            let bright = high / brightest.max(1.0) * (relief / RELIEF).clamp(1.0, MOST_CREDIT);
+            let light = ((bright - UNLIT) / (LIT - UNLIT)).clamp(0.0, 1.0);
+            // Two digits are enough, and keep projects small.
+            (light * 100.0).round() / 100.0
+        });
     }
 }
 
-/// Counts the pixels of a box, or of the ellipse in it, by luma. The box is in fractions of the photo.
-fn tones(photo: &Image, [x, y, width, height]: [f64; 4], round: bool) -> [u32; 256] {
-    let mut counts = [0; 256];
+/// The luma of pixels of a box, or of the ellipse in it. The box is in fractions of the photo.
+fn lumas(photo: &Image, [x, y, width, height]: [f64; 4], round: bool) -> Vec<u8> {
+    let mut samples = Vec::new();
     let sides = (photo.width() as f64, photo.height() as f64);
     let span = |from: f64, length: f64, side: f64| {
         let (first, last) = ((from * side).max(0.0), ((from + length) * side).min(side));
@@ -68,11 +68,11 @@ fn tones(photo: &Image, [x, y, width, height]: [f64; 4], round: bool) -> [u32; 2
             };
             let (dx, dy) = (off(column, sides.0, x, width), off(row, sides.1, y, height));
             if !round || dx * dx + dy * dy <= 1.0 {
-                counts[usize::from(luma(photo, column, row))] += 1;
+                samples.push(luma(photo, column, row));
             }
         }
     }
-    counts
+    samples
 }
 
 fn luma(photo: &Image, x: usize, y: usize) -> u8 {
@@ -83,16 +83,13 @@ fn luma(photo: &Image, x: usize, y: usize) -> u8 {
     ((299 * at(0) + 587 * at(1) + 114 * at(2) + 500) / 1000) as u8
 }
 
-/// `None` without pixels.
-fn percentile(counts: &[u32; 256], percent: usize) -> Option<f64> {
-    let all: u32 = counts.iter().sum();
-    let mut left = (all as usize * percent).div_ceil(100).max(1) as u32;
-    let tone = counts.iter().position(|&count| {
-        let found = left <= count;
-        left = left.saturating_sub(count);
-        found
-    })?;
-    (all > 0).then_some(tone as f64)
+/// `None` without samples.
+fn percentiles<const N: usize>(samples: &[u8], percents: [f32; N]) -> Option<[f64; N]> {
+    if samples.is_empty() {
+        return None;
+    }
+    let tones = Tones::new(samples);
+    Some(percents.map(|percent| f64::from(tones.percentile(percent))))
 }
 
 #[cfg(test)]
@@ -162,6 +159,7 @@ mod tests {
     #[test]
     fn a_face_outside_of_the_photo_has_no_light() {
         let [x, y, width, height] = [1.2, 0.1, 0.1, 0.1];
-        assert_eq!(percentile(&tones(&portrait(0.3, 1.0, 0.1), [x, y, width, height], true), 50), None);
+        let samples = lumas(&portrait(0.3, 1.0, 0.1), [x, y, width, height], true);
+        assert_eq!(percentiles(&samples, [MIDDLE]), None);
     }
 }
