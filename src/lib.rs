@@ -48,9 +48,9 @@
 //!
 //! The processing stages are separate crates without a stable API:
 //! [`inkpanel-image`](https://docs.rs/inkpanel-image), [`inkpanel-style`](https://docs.rs/inkpanel-style),
-//! [`inkpanel-detect`](https://docs.rs/inkpanel-detect) and [`inkpanel-engine`](https://docs.rs/inkpanel-engine). Items of this crate
-//! that take or return their types are hidden from this documentation, and have no promise either. The command line is the crate
-//! `inkpanel-cli`.
+//! [`inkpanel-detect`](https://docs.rs/inkpanel-detect), [`inkpanel-model`](https://docs.rs/inkpanel-model) and
+//! [`inkpanel-engine`](https://docs.rs/inkpanel-engine). Items of this crate that take or return their types are hidden from this
+//! documentation, and have no promise either. The command line is the crate `inkpanel-cli`.
 
 mod album;
 mod failure;

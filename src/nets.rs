@@ -56,6 +56,6 @@ impl Nets {
     }
 
     pub(crate) fn look(&self, photo: &Imported) -> Result<Vec<Subject>, Failure> {
-        Ok(self.0.detect(&photo.work)?.into_iter().map(Into::into).collect())
+        Ok(self.0.detect(&photo.work)?.into_iter().map(subject_of).collect())
     }
 }

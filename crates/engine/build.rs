@@ -1,6 +1,5 @@
-//! Embeds the layouts: every file of `layouts/` becomes a (name, text) pair of a table in `OUT_DIR`, which
-//! `layout` includes. `crates/style/build.rs` embeds `styles/`. Text colours are computed from the
-//! styles. The fonts of `fonts/` become the table of glyphs, except for WebAssembly modules, which receive it
+//! Makes tables in `OUT_DIR`. `crates/model/build.rs` embeds `layouts/`, and `crates/style/build.rs` embeds `styles/`. Text
+//! colours are computed from the styles. The fonts of `fonts/` become the table of glyphs, except for WebAssembly modules, which receive it
 //! at run time.
 
 mod pack;
@@ -17,7 +16,6 @@ use std::{env, fs, io};
 
 /// Paths are relative to the package, where cargo runs this program, so that a checkout can be moved without a new build.
 fn main() -> io::Result<()> {
-    layouts()?;
     palettes()?;
     reader()?;
     letters()
@@ -72,25 +70,6 @@ fn letters() -> io::Result<()> {
     fs::write(Path::new(&out).join("letters.bin"), table)
 }
 
-/// Writes `OUT_DIR/layouts.rs` with `static LAYOUT_FILES: &[(&str, &str)]`, sorted by file name.
-fn layouts() -> io::Result<()> {
-    let mut files: Vec<_> = fs::read_dir(top("layouts"))?
-        .filter_map(Result::ok)
-        .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
-        .collect();
-    files.sort();
-    let mut source = "static LAYOUT_FILES: &[(&str, &str)] = &[\n".to_owned();
-    for path in &files {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let text = without_space(&fs::read_to_string(path)?);
-        writeln!(source, "    ({name:?}, {text:?}),").map_err(io::Error::other)?;
-    }
-    source.push_str("];\n");
-    let out = env::var("OUT_DIR").map_err(io::Error::other)?;
-    fs::write(Path::new(&out).join("layouts.rs"), source)
-}
-
 /// Returns a folder at the top of the repository, or inside the published crate, which has copies instead of the links. A change in
 /// it starts this program again.
 fn top(name: &str) -> PathBuf {
@@ -98,17 +77,4 @@ fn top(name: &str) -> PathBuf {
     let folder = if folder.is_dir() { folder } else { PathBuf::from(name) };
     println!("cargo:rerun-if-changed={}", folder.display());
     folder
-}
-
-/// Removes white space between JSON tokens, because every visitor downloads these texts.
-fn without_space(json: &str) -> String {
-    let (mut inside, mut escaped) = (false, false);
-    let mut kept = json.to_owned();
-    kept.retain(|letter| {
-        let keep = inside || !letter.is_ascii_whitespace();
-        inside ^= letter == '"' && !escaped;
-        escaped = inside && letter == '\\' && !escaped;
-        keep
-    });
-    kept
 }

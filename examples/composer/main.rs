@@ -65,7 +65,7 @@ fn read(files: &[String]) -> Result<Vec<Photo>, Failure> {
         let name =
             Path::new(file).file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let mut photo = import(&format!("photo-{i}"), &std::fs::read(file)?, &Limits::default())?;
-        photo.meta.find(detectors.detect(&photo.work)?.into_iter().map(Into::into));
+        photo.meta.find(detectors.detect(&photo.work)?.into_iter().map(subject_of));
         Ok(Photo { name, meta: photo.meta, work: photo.work })
     };
     files.par_iter().enumerate().map(photo).collect()

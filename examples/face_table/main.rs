@@ -86,7 +86,7 @@ impl Row {
         let photo = import("photo", &std::fs::read(path)?, &Limits::default())?;
         let found = detectors.detect(&photo.work)?;
         let blind = photo.meta;
-        let meta = PhotoMeta { subjects: found.into_iter().map(Into::into).collect(), ..blind.clone() };
+        let meta = PhotoMeta { subjects: found.into_iter().map(subject_of).collect(), ..blind.clone() };
         let faces: Vec<&Subject> = meta.subjects.iter().filter(|subject| subject.label == FACE).collect();
         let (width, height) = (f64::from(meta.width), f64::from(meta.height));
         let none = Vec::new();

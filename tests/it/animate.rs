@@ -55,7 +55,7 @@ const SMALL: [&str; 5] = ["--size", "160x90", "--seconds", "0.25", "--json"];
 
 #[test]
 fn there_are_as_many_frames_as_the_shots_are_long_and_still_ones_are_one_picture() {
-    let shots = Saved::read(fs::read(project()).unwrap()).unwrap().unwrap().project().shots().len();
+    let shots = shots(Saved::read(fs::read(project()).unwrap()).unwrap().unwrap().project()).len();
     let folder = tempfile::tempdir().unwrap();
     let made = done(&animate(&project(), folder.path(), &[&SMALL[..], &["--still", "--fps", "24"]].concat()));
     let files = frames(folder.path());

@@ -1,5 +1,5 @@
 //! Generated TypeScript modules match their Rust sources: the limits of a document
-//! (`crates/engine/src/document/limits.rs`), and the empty project.
+//! (`crates/model/src/limits.rs`), and the empty project.
 
 use inkpanel_engine::document::history::History;
 use inkpanel_engine::document::{kept, limits, script, spreading, subtitles};
@@ -43,7 +43,7 @@ fn bounds() -> String {
         ("Characters of a script.", "script", script::MOST_SCRIPT),
         ("Text items that one edit adds.", "added", limits::MOST_ADDED),
     ];
-    let head = "/**\n * Limits of a project. `cargo xtask bless` generates this file from `crates/engine/src/document/limits.rs`. The core rejects projects that\n * exceed them, so the app never makes such projects.\n */\n\nexport const MOST = Object.freeze({\n";
+    let head = "/**\n * Limits of a project. `cargo xtask bless` generates this file from `crates/model/src/limits.rs`. The core rejects projects that\n * exceed them, so the app never makes such projects.\n */\n\nexport const MOST = Object.freeze({\n";
     let lines = most.map(|(what, name, value)| format!("  /** {what} */\n  {name}: {},\n", grouped(value)));
     format!("{head}{}}});\n\n{}\n{}\n{}", lines.concat(), ranges(), animatics(), sizes())
 }
@@ -124,7 +124,7 @@ fn empty() -> String {
             _ => line(name, &told(value, &text)),
         })
         .collect();
-    let head = "/** An empty project. `cargo xtask bless` generates this file from `crates/engine/src/document/project.rs`. */";
+    let head = "/** An empty project. `cargo xtask bless` generates this file from `crates/model/src/project.rs`. */";
     let imports = "import type { Project } from './project.ts';";
     let page = format!(
         "/** Default settings of a page. */\nexport const DEFAULT_SETTINGS = Object.freeze({{\n{settings}}});"

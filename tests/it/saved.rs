@@ -188,7 +188,7 @@ fn a_project_with_a_video_is_drawn_and_its_shots_are_listed() {
         fs::read(output).unwrap()
     };
     let shots = String::from_utf8(made("shots.csv", &[])).unwrap();
-    assert_eq!(shots.matches(",album.mp4,").count(), project.shots().len(), "{shots}");
+    assert_eq!(shots.matches(",album.mp4,").count(), shots(&project).len(), "{shots}");
     assert!(String::from_utf8(made("shots.edl", &[])).unwrap().contains("album.mp4"));
     assert!(made("board.pdf", &["--board", "4"]).starts_with(b"%PDF"));
 }

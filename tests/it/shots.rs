@@ -190,7 +190,7 @@ fn a_saved_project_tells_its_shots_in_their_order_with_their_films() {
         "videos": [{ "key": "v", "name": "film.mp4", "path": "film.mp4", "ids": ["b"], "duration": 60, "timecode": { "frame": 900_000, "fps": 25 } }],
         "history": { "present": { "name": "N", "tray": tray, "page": page, "board": { "fps": 25, "columns": ["Lens"], "order": ["e", "b"] } } },
     });
-    let list = ProjectFile::parse(&project.to_string()).unwrap().shot_list();
+    let list = shot_list(&ProjectFile::parse(&project.to_string()).unwrap());
     let told: Vec<_> = list.shots.iter().map(|shot| (shot.name.as_str(), shot.number.as_str())).collect();
     // `a` is on the page, `d` is not, and `c` is excluded. Moved shots keep their order.
     assert_eq!(told, [("a.jpg", "1"), ("e.jpg", "1B"), ("b.jpg", "2")]);

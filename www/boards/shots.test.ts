@@ -33,7 +33,7 @@ test('lengths have units', () => {
 });
 
 test('at 29.97 DF lengths are told as time codes that leave numbers out', () => {
-  // The cases of `crates/engine/src/output/shots/timecode.rs`.
+  // The cases of `crates/model/src/timecode.rs`.
   const drop = RATES['29.97 DF'];
   const told = [1_799, 1_800, 3_598, 17_982, 19_782].map((frames) => lengthText(frames, drop));
   expect(told).toEqual(['0:59;29', '1:00;02', '2:00;02', '10:00;00', '11:00;02']);
@@ -42,7 +42,7 @@ test('at 29.97 DF lengths are told as time codes that leave numbers out', () => 
 });
 
 test('photos that nobody put anywhere follow the one before them', () => {
-  // The cases of `crates/engine/src/document/shots.rs`.
+  // The cases of `crates/model/src/shots.rs`.
   const order = ['c', 'a', 'gone', 'c'];
   expect(ordered(order, ['a', 'b', 'c', 'd'])).toEqual(['c', 'd', 'a', 'b']);
   expect(ordered(order, ['x', 'a', 'c'])).toEqual(['x', 'c', 'a']);

@@ -15,7 +15,7 @@ export type ShotRow = { id: string; number: string; shot: Shot; said: Spoken };
 export const FIELDS = ['scene', 'number', 'action', ...SPOKEN, 'notes'] as const;
 export type Field = (typeof FIELDS)[number];
 
-/** As in an empty project: `Board::default` in `crates/engine/src/document/shots.rs`. */
+/** As in an empty project: `Board::default` in `crates/model/src/shots.rs`. */
 export const NO_BOARD: Board = Object.freeze({
   fps: 24,
   columns: [],
@@ -56,7 +56,7 @@ export const ASPECTS: Readonly<Record<string, number>> = Object.freeze({
 export const USUAL_SECONDS = 2;
 
 /**
- * Like `ordered` in `crates/engine/src/document/shots.rs`: shots that the user moved have a fixed position. Each other shot follows
+ * Like `ordered` in `crates/model/src/shots.rs`: shots that the user moved have a fixed position. Each other shot follows
  * its automatic predecessor.
  */
 export function ordered(order: readonly string[], photos: readonly string[]): string[] {
@@ -88,7 +88,7 @@ export function rateName({ fps, pace = 'clock' }: Rate): string {
 /**
  * Returns a length with units, such as `2 s` or `1 min 4 s 12 f`. A counted second of 23.976 or 29.97 frames per second is
  * longer than a second, so that these rates have time codes: `m:ss:ff`, and `m:ss;ff` at 29.97 DF, as `Rate::timecode` counts in
- * `crates/engine/src/output/shots/timecode.rs`.
+ * `crates/model/src/timecode.rs`.
  */
 export function lengthText(frames: number, { fps, pace }: Rate): string {
   if (!pace || pace === 'clock') {

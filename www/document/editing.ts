@@ -126,7 +126,7 @@ function withGiven(parts: Difference['parts'], given: readonly PageDocument[]): 
   return { ...parts, pages: parts.pages.map((page) => texts.get(JSON.stringify(page)) ?? page) };
 }
 
-/** In the order in which the core counts them (`knowing` in `crates/engine/src/document/kept.rs`). */
+/** In the order in which the core counts them (`knowing` in `crates/model/src/kept.rs`). */
 function knownParts({ present, shown }: History): Known {
   const { tray, page, others, mine, favourites, ownLayouts, settings, draft, waiting = [], board } = present;
   return {

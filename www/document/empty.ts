@@ -1,4 +1,4 @@
-/** An empty project. `cargo xtask bless` generates this file from `crates/engine/src/document/project.rs`. */
+/** An empty project. `cargo xtask bless` generates this file from `crates/model/src/project.rs`. */
 
 import type { Project } from './project.ts';
 

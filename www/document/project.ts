@@ -1,5 +1,5 @@
 /**
- * The document and its edits. The core does it (`crates/engine/src/document/edit.rs`). The types come from the core.
+ * The document and its edits. The core does it (`crates/model/src/edit.rs`). The types come from the core.
  *
  * A project is plain data: the photos of the tray and their use, the locks, the number of panels, and the page.
  * Properties of a photo (its name, size, measurements) never change and are stored in the album, so undo does not

@@ -1,5 +1,5 @@
 /**
- * Limits of a project. `cargo xtask bless` generates this file from `crates/engine/src/document/limits.rs`. The core rejects projects that
+ * Limits of a project. `cargo xtask bless` generates this file from `crates/model/src/limits.rs`. The core rejects projects that
  * exceed them, so the app never makes such projects.
  */
 

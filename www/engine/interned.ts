@@ -1,6 +1,6 @@
 /**
  * A history as data between the core and the app. States share most of their parts. The parts are in tables, and states
- * refer to them by index (see `crates/engine/src/document/kept.rs`). 500 states of one tray cost one tray.
+ * refer to them by index (see `crates/model/src/kept.rs`). 500 states of one tray cost one tray.
  */
 
 import type {

@@ -1827,7 +1827,7 @@ export type BreedRequest = { a: StyleChoice, b: StyleChoice, seed: number,
 export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>, words: ReadonlyArray<Word>, waits: ReadonlyArray<ReadonlyArray<number>>, boards: ReadonlyArray<Board>,
 };
 
-/** The difference after an edit, see `difference` in `crates/engine/src/document/kept.rs`. */
+/** The difference after an edit, see `difference` in `crates/model/src/kept.rs`. */
 export type Difference = {
   /** New states: the state with this index, with these fields replaced. */
   states: ReadonlyArray<[of: number, fields: Partial<KeptState>]>, past: Runs, present: number, future: Runs, entries: ReadonlyArray<KeptShown>, shown: Runs, parts: Tables,

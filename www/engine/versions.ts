@@ -1,6 +1,6 @@
 /**
  * Version of the saved format, in the database and in project files. The core reads it and migrates older versions
- * (`crates/engine/src/document/`).
+ * (`crates/model/src/`).
  */
 
 export const VERSION = 1;

@@ -31,13 +31,14 @@ pub const PACKAGES: [&str; 10] = [
 ];
 
 /// Sources of the modules, in the top folder.
-const SOURCES: [&str; 11] = [
+const SOURCES: [&str; 12] = [
     ".cargo/config.toml",
     "Cargo.lock",
     "Cargo.toml",
     "crates/detect",
     "crates/engine",
     "crates/image",
+    "crates/model",
     "crates/style",
     "fonts",
     "layouts",

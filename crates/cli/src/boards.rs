@@ -46,7 +46,7 @@ pub(crate) fn sheets(
     let aspect =
         ASPECTS.iter().find(|(name, _)| *name == board.aspect).map_or(16.0 / 9.0, |(_, aspect)| *aspect);
     let pictures = framed(&shown(saved)?, aspect, found)?;
-    let mut list = project.shot_list();
+    let mut list = shot_list(project);
     if list.title.trim().is_empty() {
         title.clone_into(&mut list.title);
     }
@@ -83,7 +83,7 @@ pub(crate) struct ShotPhoto {
 /// # Errors
 /// A sentence for a photo that is not in the project, and for a project without shots.
 pub(crate) fn shown(saved: &mut Saved) -> Result<Vec<ShotPhoto>, CliError> {
-    let ids: Vec<String> = saved.project().shots().into_iter().map(str::to_owned).collect();
+    let ids: Vec<String> = shots(saved.project()).into_iter().map(str::to_owned).collect();
     if ids.is_empty() {
         return Err("the project has no shots".into());
     }

@@ -71,7 +71,7 @@ fn drawn(mut saved: Saved, asked: &Asked<'_>, output: &Output) -> Result<Vec<Pat
     let &Asked { page: number, board, how } = asked;
     let (kind, printing) = (Format::of(&output.named)?, &how.printing);
     if let Format::Shots(kind) = kind {
-        output.write(saved.project().shot_list().written(kind).as_bytes())?;
+        output.write(shot_list(saved.project()).written(kind).as_bytes())?;
         return Ok(vec![output.path.clone()]);
     }
     strips::check(how.strip, kind)?;

@@ -1,6 +1,6 @@
 //! # The stages of Inkpanel
 //!
-//! This crate contains everything between pixels and files: it selects photos, plans pages, draws them, and keeps projects. **Its API
+//! This crate contains everything between pixels and files: it selects photos, plans pages, draws them, and applies edits. **Its API
 //! changes between versions without notice.** The crate [`inkpanel`](https://docs.rs/inkpanel) has the stable API.
 //!
 //! The modules are in the order of the data flow. A module never imports a later one. Each stage has an example that runs,
@@ -15,15 +15,15 @@
 //! | [`hearing`] | detection of music and of sounds that can become sound effects |
 //! | [`places`] | names of places by location |
 //! | `detect` | faces, objects, aesthetic scores and subject masks (feature `detect`, crate `inkpanel-detect`) |
-//! | [`layout`] | page templates: split trees, polygons, gutters, merges |
+//! | [`layout`] | page templates: split trees, polygons, gutters, merges (crate `inkpanel-model`) |
 //! | [`framing`] | the crop of a photo that fits a panel |
 //! | [`style`] | chains of filter blocks in two layers (crate `inkpanel-style`) |
 //! | [`plan`] | choice of layout and photos, scored by the visible content |
 //! | [`page`] | panels, borders and paper composed into one page; PNG, JPEG, PDF |
 //! | [`output`] | digital comics: HTML with a reader, EPUB, comic archives |
-//! | [`document`] | the project: pages, photos, styles and layouts, with edits and undo |
+//! | [`document`] | edits of the project, which has pages, photos, styles and layouts (crate `inkpanel-model`) |
 //! | `native` | rendering on all cores |
-//! | [`json`] | the JSON parser with limits (under `document`) |
+//! | [`json`] | the JSON parser with limits (crate `inkpanel-model`) |
 //! | `texts` | text files in any encoding (feature `texts`) |
 //!
 //! Images and styles are compiled for speed, this crate for size. Every spatial parameter of a style is in pixels of a 1920 x 1080
@@ -43,9 +43,7 @@
 pub mod document;
 pub mod framing;
 pub mod hearing;
-pub mod json;
 pub mod kinds;
-pub mod layout;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod native;
 pub mod output;
@@ -61,6 +59,7 @@ mod typescript;
 #[cfg(feature = "detect")]
 pub use inkpanel_detect as detect;
 use inkpanel_image::order;
+pub use inkpanel_model::{json, layout};
 pub use inkpanel_image::{
     error::{self, Error, Result},
     raster, simd,

@@ -20,7 +20,7 @@ use crate::layout::edit::Cut;
 use crate::layout::merge::Obstacle;
 use crate::layout::tree::Axis;
 use crate::layout::{
-    Bounds, Circle, Descriptor, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
+    Bounds, Circle, Descriptor, LayoutChange, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
 };
 use crate::output::animatic::{self, Animatic, Clip};
 use crate::output::board::{self, Labels, Logo, PictureOf};
@@ -34,7 +34,7 @@ use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntr
 use crate::page::document::{LayoutChoice, PanelContent, StyleChoice};
 use crate::page::import::{ImportEntry, PixelSize};
 use crate::page::layouts::{
-    GenerateRequest, Geometry, LayoutChange, LayoutEntry, LayoutFacts, LayoutsRequest,
+    GenerateRequest, Geometry, LayoutEntry, LayoutFacts, LayoutsRequest,
 };
 use crate::page::pdf::{Imposition, Options};
 use crate::page::request::{Avoid, Families, Keep, Mode, Request, Taste};
@@ -85,7 +85,7 @@ struct Tables {
     boards: Vec<Value>,
 }
 
-/// The difference after an edit, see `difference` in `crates/engine/src/document/kept.rs`.
+/// The difference after an edit, see `difference` in `crates/model/src/kept.rs`.
 #[derive(TS, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct Difference {

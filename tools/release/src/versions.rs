@@ -128,6 +128,7 @@ const MANIFESTS: &[(&str, &[&[&str]])] = &[
             &["workspace", "dependencies", "inkpanel-detect", "version"],
             &["workspace", "dependencies", "inkpanel-engine", "version"],
             &["workspace", "dependencies", "inkpanel-image", "version"],
+            &["workspace", "dependencies", "inkpanel-model", "version"],
             &["workspace", "dependencies", "inkpanel-style", "version"],
         ],
     ),

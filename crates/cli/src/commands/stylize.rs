@@ -74,7 +74,7 @@ fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, CliError> {
         }
     };
     let found = detectors.detect(photo)?;
-    let mut found: Vec<Subject> = found.into_iter().map(Into::into).collect();
+    let mut found: Vec<Subject> = found.into_iter().map(subject_of).collect();
     found.sort_by(|a, b| b.height.total_cmp(&a.height));
     let (across, down) = (photo.width() as f64, photo.height() as f64);
     let face = |subject: &Subject| FaceBox {

@@ -2,7 +2,7 @@
 
 use super::history::History;
 use super::intent::{CropChange, Draw, Intent, Shuffled};
-use super::pages;
+use super::validation;
 use super::planning::{KEEP_ALL, Known, Planning, Seeds};
 use super::project::Sheet;
 use super::sheets::photos_on;
@@ -12,7 +12,7 @@ use crate::layout::join::join_panels;
 use crate::layout::merge::{Obstacle, merged_bounds, why_not_merge};
 use crate::layout::{PageSettings, enlarged, resolve};
 use crate::page::document::PanelContent;
-use crate::page::layouts::LayoutChange;
+use crate::layout::LayoutChange;
 use crate::page::request::{Keep, Mode, Request};
 use crate::page::{Document, LayoutRef, StyleRef, breaking};
 use serde::Serialize;
@@ -348,7 +348,7 @@ impl Planning<'_> {
             let back = self.brought_back(&version.page)?;
             // A version that needs no changes stays the same object, so its drawing can be reused.
             let same = back == *version.page;
-            Some(if same { version.page.clone() } else { pages::planned(back)? })
+            Some(if same { version.page.clone() } else { validation::planned(back)? })
         };
         Ok(Some(Outcome::Version { page, page_id, at }))
     }
@@ -402,7 +402,7 @@ impl Planning<'_> {
         let panels = resolve(&*page.template()?, page.page.aspect(), &page.page);
         let Some(bounds) = merged_bounds(&panels, group) else { return Ok(None) };
         let known = self.photos.iter().find(|known| known.id() == photo);
-        Ok(known.and_then(|known| Crop::fitted(known.meta, bounds.width / bounds.height)))
+        Ok(known.and_then(|known| known.meta.subject_crop(bounds.width / bounds.height)))
     }
 
     fn reshaped(&self, page: &Document, change: &LayoutChange) -> Result<Option<Outcome>> {

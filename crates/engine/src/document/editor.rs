@@ -2,18 +2,17 @@
 
 use super::carrying_out::{Obstacles, Outcome, obstacles};
 use super::edit::{Edit, How, Shelf, Without};
-use super::history::{History, Shown};
+use super::history::History;
 use super::intent::Intent;
-use super::limits::{MOST_SHOWN, MOST_STEPS, PROJECT};
+use super::limits::{MOST_STEPS, PROJECT};
 use super::planning::{Known, Planning};
 use super::project::{List, Project, Sheet};
-use super::{invalid, kept, own, pages};
+use super::{invalid, kept, own, validation};
 use crate::error::{Error, Result};
 use crate::json;
 use crate::layout::PageSettings;
 use crate::page::{CustomFile, Document};
-use serde_json::Map;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A history that grows, and the edit that its last step belongs to.
@@ -93,11 +92,11 @@ impl Editor {
             None => return Ok(false),
             Some(Outcome::Shown(page)) if !how.silent => {
                 let page_id = self.history.fresh_page_id();
-                vec![Edit::ShowPage { page: pages::planned(page)?, page_id }]
+                vec![Edit::ShowPage { page: validation::planned(page)?, page_id }]
             }
             // Without an undo step, the page stays the same version.
             Some(Outcome::Changed(page) | Outcome::Shown(page)) => {
-                vec![Edit::ChangePage { page: pages::planned(page)? }]
+                vec![Edit::ChangePage { page: validation::planned(page)? }]
             }
             Some(Outcome::Sheets(sheets, at)) => vec![Edit::SetSheets { sheets, at }],
             Some(Outcome::Paper(settings, made)) => self.on_paper(settings, made)?,
@@ -126,7 +125,7 @@ impl Editor {
         let mut sheets = self.project().sheets().to_vec();
         let several = made.len() > 1;
         for (place, page) in made {
-            sheets[place] = Arc::new(Sheet { page: pages::planned(page)?, ..Sheet::clone(&sheets[place]) });
+            sheets[place] = Arc::new(Sheet { page: validation::planned(page)?, ..Sheet::clone(&sheets[place]) });
         }
         let page = sheets.get(at).map(|sheet| sheet.page.clone());
         let mut edits = vec![Edit::ChangeSettings { settings: Arc::new(settings), page }];
@@ -145,11 +144,11 @@ impl Editor {
         };
         let page = match self.outcome(&intent, photos)? {
             None | Some(Outcome::NoPage | Outcome::Version { .. }) => return Ok("null".into()),
-            Some(Outcome::Changed(page) | Outcome::Shown(page)) => pages::planned(page)?,
+            Some(Outcome::Changed(page) | Outcome::Shown(page)) => validation::planned(page)?,
             Some(Outcome::Sheets(sheets, at)) => sheets[at].page.clone(),
             Some(Outcome::Paper(_, made)) => {
                 match made.into_iter().find(|(at, _)| *at == self.project().pages.active()) {
-                    Some((_, page)) => pages::planned(page)?,
+                    Some((_, page)) => validation::planned(page)?,
                     None => return Ok("null".into()),
                 }
             }
@@ -285,83 +284,5 @@ impl Editor {
             }
         }
         !news.is_empty()
-    }
-}
-
-impl History {
-    /// The versions of the present page. In a project of one page, all pages of the page history.
-    pub fn versions(&self) -> impl Iterator<Item = &Arc<Shown>> {
-        self.shown.iter().filter(|shown| shown.sheet == self.present.sheet())
-    }
-
-    /// Index of the present page among its versions.
-    #[must_use]
-    pub fn position(&self) -> Option<usize> {
-        self.present.page()?;
-        self.versions().position(|shown| shown.id == self.present.page_id())
-    }
-
-    /// A page id that was never used, nor any above it.
-    #[must_use]
-    pub fn fresh_page_id(&self) -> u64 {
-        self.fresh().0
-    }
-
-    /// An id for a place in the storyboard that was never used, nor any above it.
-    #[must_use]
-    pub fn fresh_sheet(&self) -> u64 {
-        self.fresh().1
-    }
-
-    /// Both of them.
-    #[must_use]
-    pub fn fresh(&self) -> (u64, u64) {
-        let (mut page_id, mut place) = (0, 0);
-        let mut used = |id: u64, sheet: u64| (page_id, place) = (page_id.max(id), place.max(sheet));
-        for shown in &self.shown {
-            used(shown.id, shown.sheet);
-        }
-        for state in self.states() {
-            used(state.page_id(), state.sheet());
-            for sheet in state.sheets() {
-                used(sheet.page_id, sheet.sheet);
-            }
-        }
-        (page_id + 1, place + 1)
-    }
-
-    /// All states of all times.
-    pub fn states(&self) -> impl Iterator<Item = &Arc<Project>> {
-        self.past.iter().chain([&self.present]).chain(&self.future)
-    }
-
-    /// Notes the pages of the present among those shown. Stores the last state of each page. An edited page
-    /// replaces its earlier state, a new one is added at the end. `from`: the page before the present one.
-    fn note(&mut self, from: Option<u64>) {
-        let present = self.present.clone();
-        let sheets = present.sheets();
-        for sheet in sheets {
-            let from = from.filter(|_| sheet.sheet == present.sheet());
-            if let Some(at) = self.shown.iter().position(|shown| shown.id == sheet.page_id) {
-                let shown = &mut self.shown[at];
-                if !(Arc::ptr_eq(&shown.page, &sheet.page) || *shown.page == *sheet.page)
-                    || shown.sheet != sheet.sheet
-                {
-                    let entry = Arc::make_mut(shown);
-                    (entry.page, entry.sheet) = (sheet.page.clone(), sheet.sheet);
-                }
-                continue;
-            }
-            let Sheet { page, page_id, sheet, .. } = &**sheet;
-            let entry = Shown { id: *page_id, page: page.clone(), from, sheet: *sheet, rest: Map::new() };
-            self.shown.push(Arc::new(entry));
-            if self.shown.len() > MOST_SHOWN {
-                // Favourites are never removed. Pages of the storyboard are removed only after all others.
-                let stay: HashSet<u64> =
-                    present.loved.iter().copied().chain(sheets.iter().map(|sheet| sheet.page_id)).collect();
-                let oldest = self.shown.iter().position(|shown| !stay.contains(&shown.id));
-                self.shown.remove(oldest.unwrap_or(0));
-            }
-        }
     }
 }

@@ -10,7 +10,7 @@ use crate::framing::PhotoMeta;
 use crate::json::Writer;
 use crate::layout::PageSettings;
 use crate::page::Document;
-use crate::page::carrying::photo_of;
+use crate::page::text_links::photo_of;
 use crate::page::request::{Keep, Request, Taste};
 use crate::page::shuffle;
 use crate::plan::prepared::{Place, is_document};

@@ -5,7 +5,7 @@ use super::planning::{Known, Planning, Seeds, places_of};
 use super::project::Sheet;
 use crate::error::Result;
 use crate::layout;
-use crate::page::carrying::{belongs, photo_of, tied};
+use crate::page::text_links::{belongs, photo_of, tied};
 use crate::page::request::{Keep, Mode, Request};
 use crate::page::{Document, LayoutRef};
 pub use crate::plan::spread::balanced;

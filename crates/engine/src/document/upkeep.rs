@@ -2,8 +2,7 @@
 //! removal belongs to the undo step that excluded the photo.
 
 use super::planning::{KEEP_ALL, Known, Planning, places_of};
-use super::project::{Project, Sheet};
-use super::sheets;
+use super::project::Sheet;
 use crate::error::Result;
 use crate::page::Document;
 use crate::page::request::Keep;
@@ -101,21 +100,4 @@ impl Planning<'_> {
 /// Whether all panels of a page show photos in use.
 fn whole(page: &Document, used: &HashSet<&str>) -> bool {
     page.panels.iter().all(|panel| panel.photo.as_deref().is_some_and(|photo| used.contains(photo)))
-}
-
-impl Project {
-    /// Photos that appear twice on a page, or on two pages, although there are enough photos.
-    #[must_use]
-    pub fn claimed_twice(&self) -> Vec<String> {
-        let mut seen = HashSet::new();
-        let mut twice = Vec::new();
-        for sheet in self.sheets() {
-            for photo in sheets::photos_on(&[&sheet.page]) {
-                if !seen.insert(photo.to_owned()) {
-                    twice.push(photo.to_owned());
-                }
-            }
-        }
-        twice
-    }
 }

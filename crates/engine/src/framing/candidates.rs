@@ -6,8 +6,8 @@
 
 use std::borrow::Cow;
 
-use super::crop::Crop;
-use super::photo::{FACE, PhotoMeta, Subject};
+use super::Crop;
+use super::{FACE, PhotoMeta, Subject};
 use super::target::Target;
 use crate::layout::Bounds;
 use crate::order::sort_by;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::crop::Crop;
+use super::Crop;
 use super::pixel::{luma, rgb};
 use crate::raster::Image;
 

@@ -1,8 +1,8 @@
 //! The crop of one photo for one panel.
 
 use super::candidates::{Area, Search, View, all};
-use super::crop::Crop;
-use super::photo::{FACE, PhotoMeta};
+use super::Crop;
+use super::{FACE, PhotoMeta};
 use super::score::Judge;
 use super::target::Target;
 
@@ -199,7 +199,7 @@ mod tests {
                 frame(&barred, &Target::of_aspect(aspect), 0),
                 frame(&barred, &Target::of_aspect(aspect), 2),
                 sketch(&barred, &Target::of_aspect(aspect)).0,
-                frame(&barred, &Target::of_aspect(1.3 * aspect), 0).refitted(&barred, aspect),
+                barred.refitted(&frame(&barred, &Target::of_aspect(1.3 * aspect), 0), aspect),
             ] {
                 assert!(crop.x >= 0.251 && crop.x + crop.width <= 0.8, "{aspect} {crop:?}");
                 let own = crop.width * 1000.0 / (crop.height * 800.0);
@@ -209,7 +209,7 @@ mod tests {
         assert!(keeps(&frame(&barred, &Target::of_aspect(1.0), 0), &face));
         // An edited crop may show a bar.
         let everything = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
-        assert!(everything.refitted(&barred, 1.2).x < 0.2);
+        assert!(barred.refitted(&everything, 1.2).x < 0.2);
     }
 
     #[test]

@@ -6,7 +6,6 @@
 
 mod bars;
 mod candidates;
-mod crop;
 mod cropping;
 pub mod energy;
 mod facts;
@@ -19,12 +18,15 @@ mod score;
 mod sums;
 mod target;
 
-pub use crop::Crop;
 pub use energy::EnergyMap;
 pub use facts::Facts;
 pub use frame::{closeup, frame, sketch};
 pub use lettering::lettering;
-pub use photo::{Expression, FACE, FIGURE, FacePoints, Focus, LETTERING, PERSON_HEAD, PhotoMeta, Subject};
+#[cfg(feature = "detect")]
+pub use photo::subject_of;
+pub use photo::{Focus, PhotoMeta};
+pub use inkpanel_model::crop::Crop;
+pub use inkpanel_model::subject::{Expression, FACE, FIGURE, FacePoints, LETTERING, PERSON_HEAD, Subject};
 pub use region::Region;
 pub(crate) use score::{MEDIUM, SURE};
 pub use target::Target;

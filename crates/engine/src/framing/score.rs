@@ -7,8 +7,8 @@
 use std::borrow::Cow;
 
 use super::candidates::{Area, ROOM, View, reach};
-use super::crop::Crop;
-use super::photo::{FACE, PERSON_HEAD, PhotoMeta, Subject};
+use super::Crop;
+use super::{FACE, PERSON_HEAD, PhotoMeta, Subject};
 use super::sums::Sums;
 
 /// Maximum enlargement, unless nothing else fits.

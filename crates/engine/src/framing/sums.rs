@@ -1,6 +1,6 @@
 //! Questions about the energy of any part of a photo, each answered in constant time.
 
-use super::crop::Crop;
+use super::Crop;
 use super::energy::EnergyMap;
 
 /// Width of the band along the edges of a crop, as part of its side.

@@ -80,7 +80,7 @@ impl Stage {
         stage.same_layout = same_layout;
         let everything = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
         let shown = photos.iter().zip(&stage.candidate.slots).map(|(&photo, slot)| {
-            let crop = everything.refitted(&request.photos[photo], slot.target.aspect);
+            let crop = request.photos[photo].refitted(&everything, slot.target.aspect);
             Assignment { photo, crop }
         });
         let shown = shown.collect();
@@ -222,7 +222,7 @@ fn lock_slots(
         };
         let Some(place) = place else { continue };
         // The page's lengths may have changed since.
-        let crop = crop.refitted(&request.photos[photo], slots[place].target.aspect);
+        let crop = request.photos[photo].refitted(&crop, slots[place].target.aspect);
         slots[place].locked = Some(Assignment { photo, crop });
         placed.push(rank);
     }
@@ -256,7 +256,7 @@ fn keep_photos(
         let Some(photo) = position(id) else { continue };
         match head.filter(|head| same_layout && head.edited).and_then(|head| head.crop) {
             Some(crop) => {
-                let crop = crop.refitted(&photos[photo], slot.target.aspect);
+                let crop = photos[photo].refitted(&crop, slot.target.aspect);
                 slot.locked = Some(Assignment { photo, crop });
             }
             None => slot.keeps = Some(photo),

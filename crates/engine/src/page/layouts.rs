@@ -3,11 +3,9 @@
 
 use super::reference::LayoutRef;
 use crate::error::{Error, Result};
-use crate::layout::edit::{Cut, cuts, move_cut, place_overlay, remove_panel, split_panel};
-use crate::layout::join::join_panels;
-use crate::layout::tree::Axis;
+use crate::layout::edit::{Cut, cuts};
 use crate::layout::{
-    Body, Bounds, PageSettings, PlacedPanel, ResolvedPanel, ResolvedShape, Template, generate, good_for,
+    Body, PageSettings, PlacedPanel, ResolvedPanel, ResolvedShape, Template, generate, good_for,
     reading_order, resolve,
 };
 use serde::{Deserialize, Serialize};
@@ -169,64 +167,6 @@ pub fn generated(json: &str) -> Result<String> {
     Ok(generate(u64::from(seed), page.aspect(), least..=most).to_json())
 }
 
-/// A manual change of a layout.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(tag = "type", rename_all = "kebab-case")]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub enum LayoutChange {
-    /// A cut is moved or slanted.
-    MoveCut {
-        /// Its place among the cuts.
-        cut: usize,
-        /// Position in its cell, 0 to 1.
-        fraction: f64,
-        /// As in the file.
-        slant: f64,
-    },
-    /// A panel becomes two.
-    Split {
-        /// Which.
-        panel: usize,
-        /// Direction of the division.
-        axis: Axis,
-    },
-    /// Removes a panel.
-    Remove {
-        /// Which.
-        panel: usize,
-    },
-    /// Panels become one.
-    Join {
-        /// Which.
-        panels: Vec<usize>,
-    },
-    /// An inset is moved and sized.
-    MoveInset {
-        /// Which.
-        panel: usize,
-        /// Its new bounds on the page of the request, in page widths.
-        bounds: Bounds,
-    },
-}
-
-impl LayoutChange {
-    /// Returns the changed layout. `page`: a valid page, for the bounds of insets.
-    ///
-    /// # Errors
-    /// `invalid-layout` for a change that the layout does not allow.
-    pub fn of(&self, template: &Template, page: &PageSettings) -> Result<Template> {
-        match self {
-            Self::MoveCut { cut, fraction, slant } => move_cut(template, *cut, *fraction, *slant),
-            Self::Split { panel, axis } => split_panel(template, *panel, *axis),
-            Self::Remove { panel } => remove_panel(template, *panel),
-            Self::Join { panels } => join_panels(template, panels),
-            Self::MoveInset { panel, bounds } => {
-                place_overlay(template, *panel, *bounds, page.aspect(), page)
-            }
-        }
-    }
-}
-
 #[derive(Deserialize)]
 struct Of {
     layout: LayoutRef,
@@ -291,7 +231,7 @@ fn invalid(reason: String) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::layout::catalogue;
+    use crate::layout::{LayoutChange, catalogue};
     use serde_json::{Value, json};
 
     fn ask(of: &Value, answer: impl Fn(&str) -> Result<String>) -> Value {

@@ -4,7 +4,7 @@ use super::document::Document;
 use super::reference::{LayoutRef, StyleRef};
 use crate::framing::PhotoMeta;
 use crate::layout::PageSettings;
-pub use crate::plan::layouts::Taste;
+pub use inkpanel_model::choice::{Styling, Taste};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -155,43 +155,4 @@ pub enum Mode {
     Shuffle,
     /// Any order: the strongest photo gets the most prominent panel.
     Photos,
-}
-
-/// Options of the random choice of a style. As JSON `{extra, invented, inventions, keepLines, keepColours}`;
-/// all fields are optional.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
-#[serde(from = "Value")]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StylingRequest", rename_all = "camelCase"))]
-pub struct Styling {
-    /// Complete custom and favourite styles. They are chosen like built-in ones.
-    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
-    pub extra: Vec<StyleRef>,
-    /// Probability of a generated style, 0 to 1.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
-    pub invented: f64,
-    /// Generated styles that passed a test. If the list is present, even if it is empty, only its styles are used.
-    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
-    pub inventions: Option<Vec<StyleRef>>,
-    /// Retain the line layer and its ink.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
-    pub keep_lines: bool,
-    /// Retain the colour layer.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
-    pub keep_colours: bool,
-}
-
-impl From<Value> for Styling {
-    fn from(mut value: Value) -> Self {
-        let flag = |key: &str| value[key].as_bool().unwrap_or_default();
-        let (keep_lines, keep_colours) = (flag("keepLines"), flag("keepColours"));
-        let invented = value["invented"].as_f64().unwrap_or_default();
-        let mut list = |key: &str| match value.get_mut(key).map(Value::take) {
-            Some(Value::Array(styles)) => Some(
-                styles.into_iter().filter_map(|style| serde_json::from_value(style).ok()).collect::<Vec<_>>(),
-            ),
-            _ => None,
-        };
-        let (extra, inventions) = (list("extra").unwrap_or_default(), list("inventions"));
-        Self { extra, invented, inventions, keep_lines, keep_colours }
-    }
 }

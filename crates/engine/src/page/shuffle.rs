@@ -1,7 +1,7 @@
 //! A new document from photos, locks and a seed: the pure function behind every shuffle, choice and refinement.
 
 use super::breaking;
-use super::carrying::{carried, tied};
+use super::text_links::{carried, tied};
 use super::document::{Document, VERSION};
 use super::fill::{Stage, contents};
 use super::reference::LayoutRef;

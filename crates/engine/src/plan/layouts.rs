@@ -2,8 +2,7 @@
 //! good pages rather than others.
 
 use oorandom::Rand64;
-use serde::Deserialize;
-use serde_json::Value;
+use inkpanel_model::choice::Taste;
 
 use super::assign::gumbel;
 use super::best_first;
@@ -22,43 +21,6 @@ const LEAST_SHARE: f64 = 0.07;
 const LEAD: [(f64, f64); 3] = [(1.55, 1.0), (1.3, 0.7), (0.0, 0.35)];
 /// Factor of layouts that consist of rectangles only.
 const PLAIN: f64 = 0.6;
-/// Maximum effect of a preference on a weight, in both directions.
-const MOST_LIKING: f64 = 1.6;
-
-/// The user's learned preferences, as natural logarithms of the factors for the weights of families and
-/// styles. As JSON: `{families: {ID: NUMBER}, styles: {ID: NUMBER}}`. Both fields are optional, and values
-/// that are not numbers are ignored.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
-#[serde(from = "Value")]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub struct Taste {
-    /// By family of layouts.
-    #[cfg_attr(test, ts(as = "Option<std::collections::HashMap<String, f64>>", optional))]
-    pub families: Vec<(String, f64)>,
-    /// By id of a style.
-    #[cfg_attr(test, ts(as = "Option<std::collections::HashMap<String, f64>>", optional))]
-    pub styles: Vec<(String, f64)>,
-}
-
-impl From<Value> for Taste {
-    fn from(value: Value) -> Self {
-        let read = |key: &str| -> Vec<(String, f64)> {
-            let entries = value[key].as_object().into_iter().flatten();
-            entries.filter_map(|(id, liking)| Some((id.clone(), liking.as_f64()?))).collect()
-        };
-        Self { families: read("families"), styles: read("styles") }
-    }
-}
-
-impl Taste {
-    /// Returns the factor of a preference; 1 without a preference.
-    #[must_use]
-    pub fn factor(likings: &[(String, f64)], id: &str) -> f64 {
-        let liking = likings.iter().find(|(other, _)| other == id).map_or(0.0, |(_, liking)| *liking);
-        if liking.is_finite() { liking.clamp(-MOST_LIKING, MOST_LIKING).exp() } else { 1.0 }
-    }
-}
-
 /// Requirements for a layout of an unlocked page.
 #[derive(Debug, Clone, Copy)]
 pub struct Wanted<'a> {

@@ -153,7 +153,7 @@ impl Prepared {
         let at = f64::midpoint(aspect.max(1e-3).ln() / WIDEST.ln(), 1.0) * (ASPECTS - 1) as f64;
         let at = (at.round().max(0.0) as usize).min(ASPECTS - 1);
         let (crop, energy) = self.sketches[at];
-        let refitted = crop.refitted(photo, aspect);
+        let refitted = photo.refitted(&crop, aspect);
         let shrunk = (refitted.width * refitted.height) / (crop.width * crop.height).max(1e-9);
         (refitted, (energy * shrunk.min(1.0)).min(1.0))
     }

@@ -3,7 +3,7 @@
 
 use std::sync::OnceLock;
 
-use super::layouts::Taste;
+use inkpanel_model::choice::Taste;
 use super::slots::{Assignment, Slot};
 use crate::framing::{FACE, Facts, PhotoMeta};
 use crate::style::Style;

@@ -1,5 +1,6 @@
 //! Selects photos and gives the reasons.
 
+pub use inkpanel_model::limits::{DUPLICATE_THRESHOLD, DUPLICATE_THRESHOLD_RANGE};
 use super::Measures;
 use super::fingerprint::distance;
 use super::groups::leaders_by;
@@ -13,12 +14,6 @@ use std::fmt::{self, Display, Formatter};
 const BLURRED: f32 = 0.04;
 /// Minimum number of photos for a meaningful median.
 const FEW: usize = 4;
-
-/// Default maximum fingerprint distance of near-duplicates, in bits. A test set of 2145 pairs of different
-/// photos has no pair this close.
-pub const DUPLICATE_THRESHOLD: u32 = 10;
-/// Range of the thresholds that the app offers.
-pub const DUPLICATE_THRESHOLD_RANGE: [u32; 2] = [4, 16];
 
 /// Divisor of the threshold for frames of one video. They were selected for their differences, and movements
 /// in a video are often small.

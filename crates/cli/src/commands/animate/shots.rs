@@ -108,7 +108,7 @@ fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Reque
         None => page.map_or_else(StyleRef::default, |page| page.style.clone()),
     };
     Ok(Request {
-        list: project.shot_list(),
+        list: shot_list(project),
         pictures: pictures.into_iter().map(picture).collect::<Result<_, CliError>>()?,
         size: asked.size,
         fps: asked.fps.unwrap_or(0),

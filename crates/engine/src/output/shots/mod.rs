@@ -13,13 +13,13 @@
 mod csv;
 mod edl;
 mod otio;
-pub mod timecode;
 mod xmeml;
 
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
+pub use inkpanel_model::timecode;
 use timecode::{Pace, Rate, StartTimecode};
 
 /// Shots in their order. In JSON, empty fields may be missing.

@@ -362,22 +362,12 @@ fn in_time(request: &Request, places: &HashMap<String, String>) -> Vec<usize> {
     order
 }
 
-/// Sets the number of a page of a book, from 1. Returns whether the text changed.
-pub fn renumber(page: &mut Document, number: usize) -> bool {
-    let text = number.to_string();
-    let mut changed = false;
-    for word in page.words.iter_mut().filter(|word| word.number) {
-        changed |= word.text != text;
-        word.text.clone_from(&text);
-    }
-    changed
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::document::planning::seen_on;
     use crate::layout::PageSettings;
+    use inkpanel_model::sheets::renumber;
     use std::collections::HashSet;
 
     fn photo(i: usize) -> PhotoMeta {

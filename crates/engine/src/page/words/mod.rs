@@ -39,7 +39,6 @@ pub mod layout;
 pub mod learning;
 mod lens;
 pub mod letters;
-pub mod model;
 pub mod palette;
 pub mod place;
 pub mod ruby;
@@ -50,4 +49,4 @@ mod vertical;
 pub mod wording;
 
 pub use letters::Letters;
-pub use model::{TextItem, TextKind};
+pub use inkpanel_model::text::{self as model, TextItem, TextKind};

@@ -3,15 +3,15 @@
 //! does not affect them. States of a history share equal parts.
 
 use super::draft::Draft;
-use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_LOVED, MOST_WANTED};
+use super::limits::{DUPLICATE_THRESHOLD, GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_LOVED, MOST_WANTED};
 use super::shots::{Board, Shot};
 use crate::json::{Fields, Read, Writer, Wrong, fields};
 use crate::layout::PageSettings;
-use crate::page::words::TextItem;
-use crate::page::{CustomFile, Document};
+use crate::text::TextItem;
+use crate::page::Document;
+use crate::reference::CustomFile;
 use crate::raster::Matte;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
-use crate::select::DUPLICATE_THRESHOLD;
 use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -24,7 +24,7 @@ pub type List<T> = Arc<[Arc<T>]>;
 
 /// A state of a project.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Project {
     /// Project name, empty until the user sets it.
     pub name: String,
@@ -41,63 +41,63 @@ pub struct Project {
     /// Size, gutters and colours.
     pub settings: Arc<PageSettings>,
     /// The pages of the storyboard, and which one is edited.
-    #[cfg_attr(test, ts(flatten))]
+    #[cfg_attr(feature = "typescript", ts(flatten))]
     pub pages: Pages,
     /// The style in the designer.
     pub draft: Option<Arc<Draft>>,
     /// Unplaced text items. They return with their photos.
-    #[cfg_attr(test, ts(type = "ReadonlyArray<Word>", optional))]
+    #[cfg_attr(feature = "typescript", ts(type = "ReadonlyArray<Word>", optional))]
     pub waiting: List<TextItem>,
     /// Custom styles, which all projects share.
-    #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+    #[cfg_attr(feature = "typescript", ts(as = "Vec<crate::style::Style>"))]
     pub mine: List<CustomFile>,
     /// Styles that are favourites, which all projects share.
-    #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+    #[cfg_attr(feature = "typescript", ts(as = "Vec<crate::style::Style>"))]
     pub favourites: List<CustomFile>,
     /// Custom layouts, which all projects share.
-    #[cfg_attr(test, ts(as = "Vec<crate::layout::Template>"))]
+    #[cfg_attr(feature = "typescript", ts(as = "Vec<crate::layout::Template>"))]
     pub own_layouts: List<CustomFile>,
     /// Favourite pages of the page history, by id.
     pub loved: Arc<[u64]>,
     /// How a shuffle draws styles.
     pub styling: Styling,
     /// Settings of the storyboard: frame rate, order and sheets. Not written if they equal the defaults.
-    #[cfg_attr(test, ts(as = "Option<Board>", optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<Board>", optional = nullable))]
     pub board: Arc<Board>,
     /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A photo in the tray.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct TrayItem {
     /// Its id.
     pub id: String,
     /// The user's choice; `None` follows the selection.
-    #[cfg_attr(test, ts(rename = "use"))]
+    #[cfg_attr(feature = "typescript", ts(rename = "use"))]
     pub used: Option<bool>,
     /// The focus point that the user set.
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub focus: Option<Focus>,
     /// Whether the user starred it for a large panel.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub starred: bool,
     /// The corrected subject mask. `None` uses the detected mask.
-    #[cfg_attr(test, ts(type = "string", optional))]
+    #[cfg_attr(feature = "typescript", ts(type = "string", optional))]
     pub mask: Option<Matte>,
     /// Shot metadata.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub shot: Shot,
     /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A point of a photo, in fractions of its sides.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Focus {
     /// From the left.
     pub x: f64,
@@ -107,7 +107,7 @@ pub struct Focus {
 
 /// The order of photos.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "lowercase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Order {
     /// By capture time, if all photos have one.
     #[default]
@@ -118,7 +118,7 @@ pub enum Order {
 
 /// Parts of the page that no shuffle changes.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Locks {
     /// The layout.
     pub layout: bool,
@@ -127,13 +127,13 @@ pub struct Locks {
     /// The photos.
     pub photos: bool,
     /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// How a shuffle draws a style.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Styling {
     /// The share of invented ones, 0 to 1.
     pub invented: f64,
@@ -142,7 +142,7 @@ pub struct Styling {
     /// The colour layer stays.
     pub keep_colours: bool,
     /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
@@ -154,7 +154,7 @@ impl Default for Styling {
 
 /// A page of a storyboard.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Sheet {
     /// The page.
     pub page: Arc<Document>,
@@ -163,7 +163,7 @@ pub struct Sheet {
     /// Names its place through all its versions.
     pub sheet: u64,
     /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
@@ -181,7 +181,7 @@ pub struct Pages {
 }
 
 /// The fields of [`Pages`] in JSON.
-#[cfg(test)]
+#[cfg(feature = "typescript")]
 #[derive(ts_rs::TS)]
 #[ts(rename_all = "camelCase")]
 #[expect(dead_code, reason = "describes JSON")]
@@ -198,7 +198,7 @@ struct InJson {
     at: usize,
 }
 
-#[cfg(test)]
+#[cfg(feature = "typescript")]
 impl ts_rs::TS for Pages {
     type WithoutGenerics = Self;
     type OptionInnerType = Self;
@@ -264,12 +264,12 @@ impl Pages {
     }
 
     /// Page id and sheet of the edited page. Without pages, those of the last edited page.
-    pub(super) fn ids(&self) -> (u64, u64) {
+    pub(crate) fn ids(&self) -> (u64, u64) {
         self.edited().map_or(self.left, |sheet| (sheet.page_id, sheet.sheet))
     }
 
     /// Removes all pages.
-    pub(super) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         *self = Self { left: self.ids(), ..Self::default() };
     }
 
@@ -279,21 +279,21 @@ impl Pages {
     }
 
     /// Replaces the document of the edited page, or adds a first page.
-    pub(super) fn replace(&mut self, page: Arc<Document>) {
+    pub(crate) fn replace(&mut self, page: Arc<Document>) {
         let (page_id, sheet) = self.ids();
         let rest = self.edited().map(|sheet| sheet.rest.clone()).unwrap_or_default();
         self.replace_sheet(Sheet { page, page_id, sheet, rest });
     }
 
     /// Replaces the edited page, or adds a first page.
-    pub(super) fn replace_sheet(&mut self, sheet: Sheet) {
+    pub(crate) fn replace_sheet(&mut self, sheet: Sheet) {
         let mut list = self.list.to_vec();
         list.splice(self.active..(self.active + 1).min(list.len()), [Arc::new(sheet)]);
         (self.list, self.left) = (list.into(), (0, 0));
     }
 
     /// Changes the pages for which `change` returns a new one. It gets the index of each page.
-    pub(super) fn each(&mut self, change: &mut Change<'_>) {
+    pub(crate) fn each(&mut self, change: &mut Change<'_>) {
         let mut changed = false;
         let mut list = self.list.to_vec();
         for (i, sheet) in list.iter_mut().enumerate() {
@@ -338,7 +338,7 @@ impl Default for Project {
 
 /// Source of state parts that several states may share: inside the state, or in tables next to it. `field` is
 /// the name of a list in reports of dropped parts.
-pub(super) trait Parts {
+pub(crate) trait Parts {
     fn tray(&mut self, value: Value) -> Read<List<TrayItem>>;
     fn settings(&mut self, value: Value) -> Read<Arc<PageSettings>>;
     fn page(&mut self, value: Value) -> Read<Arc<Document>>;
@@ -355,7 +355,7 @@ impl Project {
     ///
     /// # Errors
     /// Returns the location of the error.
-    pub(super) fn read(value: Value, parts: &mut dyn Parts) -> Read<Self> {
+    pub(crate) fn read(value: Value, parts: &mut dyn Parts) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let mut state = Self::default();
         if let Some(name) = fields.text("name", LONGEST_NAME)? {
@@ -405,14 +405,14 @@ impl Project {
 }
 
 /// The photos of the tray. One that is there twice counts once.
-pub(super) fn tray(mut items: Vec<Arc<TrayItem>>) -> List<TrayItem> {
+pub(crate) fn tray(mut items: Vec<Arc<TrayItem>>) -> List<TrayItem> {
     let mut seen = HashSet::new();
     items.retain(|item| seen.insert(item.id.clone()));
     items.into()
 }
 
 impl Order {
-    pub(super) fn read(value: &Value) -> Read<Self> {
+    pub(crate) fn read(value: &Value) -> Read<Self> {
         match value.as_str() {
             Some("time") => Ok(Self::Time),
             Some("name") => Ok(Self::Name),
@@ -444,7 +444,7 @@ impl TrayItem {
         }
     }
 
-    pub(super) fn read(value: Value) -> Read<Arc<Self>> {
+    pub(crate) fn read(value: Value) -> Read<Arc<Self>> {
         let mut fields = Fields::of(value)?;
         let id = fields.name("id", LONGEST_ID)?;
         let used = match fields.told("use") {
@@ -460,7 +460,7 @@ impl TrayItem {
         Ok(Arc::new(Self { id, used, focus, starred, mask, shot, rest: fields.rest() }))
     }
 
-    pub(super) fn write(&self, out: &mut Writer) {
+    pub(crate) fn write(&self, out: &mut Writer) {
         out.open(b'{');
         out.key("id").text(&self.id);
         match self.used {
@@ -488,11 +488,11 @@ impl TrayItem {
 }
 
 /// Which part of a photo is its subject.
-pub(super) fn mask(value: Value) -> Read<Matte> {
+pub(crate) fn mask(value: Value) -> Read<Matte> {
     Matte::try_from(fields::text_of(value, LONGEST_MASK)?).map_err(Wrong::new)
 }
 
-pub(super) fn focus(value: Value) -> Read<Focus> {
+pub(crate) fn focus(value: Value) -> Read<Focus> {
     let mut fields = Fields::of(value)?;
     let mut part =
         |name: &str| fields.number(name, -1.0, 2.0)?.ok_or_else(|| Wrong::new("is missing").at(name));
@@ -503,7 +503,7 @@ pub(super) fn focus(value: Value) -> Read<Focus> {
 
 impl Sheet {
     /// Reads a page of a storyboard, whose document may come from elsewhere.
-    pub(super) fn read(value: Value, page: &dyn Fn(Value) -> Read<Arc<Document>>) -> Read<Arc<Self>> {
+    pub(crate) fn read(value: Value, page: &dyn Fn(Value) -> Read<Arc<Document>>) -> Read<Arc<Self>> {
         let mut fields = Fields::of(value)?;
         let page = page(fields.required("page")?).map_err(|wrong| wrong.at("page"))?;
         let (page_id, sheet) =
@@ -519,7 +519,7 @@ fn locks(value: Value) -> Read<Locks> {
 }
 
 impl Locks {
-    pub(super) fn write(&self, out: &mut Writer) {
+    pub(crate) fn write(&self, out: &mut Writer) {
         out.open(b'{');
         for (name, lock) in [("layout", self.layout), ("style", self.style), ("photos", self.photos)] {
             out.key(name).flag(lock);
@@ -529,7 +529,7 @@ impl Locks {
     }
 }
 
-pub(super) fn styling(value: Value) -> Read<Styling> {
+pub(crate) fn styling(value: Value) -> Read<Styling> {
     let mut fields = Fields::of(value)?;
     let invented = fields.number("invented", 0.0, 1.0)?.unwrap_or(INVENTED);
     let (keep_lines, keep_colours) = (fields.flag("keepLines")?, fields.flag("keepColours")?);
@@ -537,7 +537,7 @@ pub(super) fn styling(value: Value) -> Read<Styling> {
 }
 
 impl Styling {
-    pub(super) fn write(&self, out: &mut Writer) {
+    pub(crate) fn write(&self, out: &mut Writer) {
         out.open(b'{');
         out.key("invented").number(self.invented);
         out.key("keepLines").flag(self.keep_lines);

@@ -24,7 +24,7 @@ const RADIUS: (f64, f64) = (0.04, 0.5);
 
 /// A cut of a template on a page.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Cut {
     /// Which way the cells that it parts are laid out: it runs across for rows, down for columns.
     pub axis: Axis,

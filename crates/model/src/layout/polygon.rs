@@ -11,7 +11,7 @@ pub const TINY: f64 = 1e-9;
 /// A point, or a vector, in the plane; y grows downward.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(into = "[f64; 2]")]
-#[cfg_attr(test, derive(ts_rs::TS), ts(type = "[number, number]"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(type = "[number, number]"))]
 pub struct Point {
     /// To the right.
     pub x: f64,
@@ -47,7 +47,7 @@ impl Point {
 
 /// A rectangle with sides parallel to the axes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Bounds {
     /// Left edge.
     pub x: f64,

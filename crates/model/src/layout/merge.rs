@@ -15,7 +15,7 @@ const LEAST_EDGE: f64 = 0.02;
 
 /// Why panels cannot share one photo, or become one panel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 pub enum Obstacle {
     /// Fewer than two panels.

@@ -21,7 +21,7 @@ const MAX_FPS: u32 = 120;
 /// How fast a counted second passes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "lowercase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Pace {
     /// As the clock's.
     #[default]
@@ -128,7 +128,7 @@ impl Rate {
 
 /// The timecode of the first frame of a video, as its camera recorded it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct StartTimecode {
     /// Frames since midnight.
     pub frame: u32,

@@ -5,6 +5,7 @@
 
 mod aesthetics;
 mod catalogue;
+mod change;
 pub mod edit;
 mod enlarge;
 mod generate;
@@ -24,6 +25,7 @@ mod write;
 
 pub use aesthetics::score;
 pub use catalogue::{catalogue, find, good_for};
+pub use change::LayoutChange;
 pub use enlarge::enlarged;
 pub use generate::generate;
 pub use paper::PaperSize;

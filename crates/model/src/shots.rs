@@ -7,7 +7,7 @@ use super::limits::{
     MOST_SHOT_FRAMES,
 };
 use crate::json::{Fields, Read, Writer, Wrong, text_of};
-use crate::output::shots::timecode::Pace;
+use crate::timecode::Pace;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Map, Value};
@@ -34,48 +34,48 @@ pub const USUAL_SECONDS: u32 = 2;
 
 /// Metadata of a shot. Empty fields are unset.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Shot {
     /// The scene that it belongs to.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub scene: String,
     /// A custom number, such as 4A. Without one the shot is numbered automatically.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub number: String,
     /// Action.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub action: String,
     /// Dialogue.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub dialogue: String,
     /// Captions.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub caption: String,
     /// Sounds.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub sound: String,
     /// Notes.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub notes: String,
     /// How long it is, in frames of the board's rate.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub frames: Option<u32>,
     /// Values of custom columns by name.
-    #[cfg_attr(test, ts(as = "Option<std::collections::BTreeMap<String, String>>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<std::collections::BTreeMap<String, String>>", optional))]
     pub more: Map<String, Value>,
     /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// How the shots of a project are counted, ordered and laid out.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Board {
     /// Frames of a counted second, one of [`RATES`].
     pub fps: u32,
     /// Timecode pace (real time or NTSC 1000/1001). Default: real time.
-    #[cfg_attr(test, ts(as = "Option<Pace>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<Pace>", optional))]
     pub pace: Pace,
     /// Names of custom columns, without duplicates.
     pub columns: Vec<String>,
@@ -92,12 +92,12 @@ pub struct Board {
     /// Date in the header, as text.
     pub date: String,
     /// Logo in the header: a PNG file as a data URL. Empty for no logo.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub logo: String,
     /// Photos that the user ordered. The other photos keep their automatic position.
     pub order: Vec<String>,
     /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
@@ -127,7 +127,7 @@ impl Shot {
         *self == Self::default()
     }
 
-    pub(super) fn read(value: Value) -> Read<Self> {
+    pub(crate) fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let mut shot = Self::default();
         for (name, most, field) in [
@@ -148,7 +148,7 @@ impl Shot {
         Ok(shot)
     }
 
-    pub(super) fn write(&self, out: &mut Writer) {
+    pub(crate) fn write(&self, out: &mut Writer) {
         out.open(b'{');
         for (name, field) in [
             ("scene", &self.scene),
@@ -194,7 +194,7 @@ fn more(value: Value) -> Read<Map<String, Value>> {
 }
 
 impl Board {
-    pub(super) fn shared(value: Value) -> Read<Arc<Self>> {
+    pub(crate) fn shared(value: Value) -> Read<Arc<Self>> {
         Self::read(value).map(Arc::new)
     }
 
@@ -236,7 +236,7 @@ impl Board {
         Ok(board)
     }
 
-    pub(super) fn write(&self, out: &mut Writer) {
+    pub(crate) fn write(&self, out: &mut Writer) {
         out.open(b'{');
         out.key("fps").whole(u64::from(self.fps));
         // The default is omitted, as in old projects.
@@ -260,7 +260,7 @@ impl Board {
 
     /// Adapts a shot to this board, which replaces another board. Durations keep their seconds, and values
     /// follow renamed columns. `None` if nothing changes.
-    pub(super) fn taken(&self, before: &Self, own: &Shot) -> Option<Shot> {
+    pub(crate) fn taken(&self, before: &Self, own: &Shot) -> Option<Shot> {
         let mut shot = own.clone();
         if let Some(frames) = shot.frames {
             let same = u64::from(frames) * u64::from(self.fps) * 2 / u64::from(before.fps.max(1));
@@ -302,7 +302,7 @@ fn one_of(fields: &mut Fields, name: &str, known: &[u32]) -> Read<Option<u32>> {
 }
 
 /// The shots that an edit describes: an object of shots by the ids of their photos.
-pub(super) fn described(value: Value) -> Read<Vec<(String, Shot)>> {
+pub(crate) fn described(value: Value) -> Read<Vec<(String, Shot)>> {
     let all = Fields::of(value)?.rest();
     if all.len() > MOST_PHOTOS {
         return Err(Wrong::beyond("must not be more than the photos"));

@@ -74,7 +74,7 @@ fn file(template: &Template) -> String {
 
 /// An entry in the list of layouts, in unit coordinates.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Layout"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename = "Layout"))]
 pub struct Descriptor<'a> {
     /// Unique name in kebab-case.
     pub id: &'a str,
@@ -92,7 +92,7 @@ pub struct Descriptor<'a> {
 
 /// A panel of a template.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct LayoutPanel<'a> {
     /// Its outline.
     pub shape: Outline<'a>,
@@ -104,21 +104,21 @@ pub struct LayoutPanel<'a> {
 
 /// The outline of a panel: a polygon or a circle.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Outline<'a> {
     /// Corners; the first is joined to the last.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub polygon: Option<&'a [Point]>,
     /// A circle.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub circle: Option<Circle>,
 }
 
 /// A circle.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Circle {
     /// Its centre from the left.
     pub x: f64,
@@ -130,15 +130,15 @@ pub struct Circle {
 
 /// A panel on the page, in page widths. Its outline is a polygon or a circle.
 #[derive(Debug, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct PlacedPanel<'a> {
     /// Corners; the first is joined to the last.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub polygon: Option<&'a [Point]>,
     /// A circle.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub circle: Option<Circle>,
     /// The rectangle round the outline.
     pub bounds: Bounds,

@@ -58,27 +58,27 @@ impl Panel {
 
 /// Definition of the base panels of a template, stored so that the template can be edited and written back.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "lowercase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Body {
     /// A tree of cuts.
-    Tree(#[cfg_attr(test, ts(type = "string | object"))] Node),
+    Tree(#[cfg_attr(feature = "typescript", ts(type = "string | object"))] Node),
     /// Convex polygons that tile the page.
     Polygons(Vec<Vec<Point>>),
 }
 
 /// A page template that has passed every check of its schema (see `layouts/README.md`).
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Template {
     pub(super) id: String,
     pub(super) name: String,
     pub(super) family: String,
     pub(super) aspect: f64,
-    #[cfg_attr(test, ts(flatten))]
+    #[cfg_attr(feature = "typescript", ts(flatten))]
     pub(super) body: Body,
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub(super) order: Vec<usize>,
-    #[cfg_attr(test, ts(as = "Option<Vec<f32>>", rename = "weights", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<Vec<f32>>", rename = "weights", optional))]
     pub(super) panels: Vec<Panel>,
 }
 

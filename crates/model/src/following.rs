@@ -5,15 +5,15 @@
 use super::limits::{MOST_WAITING, MOST_WORDS};
 use super::project::Project;
 use crate::page::Document;
-use crate::page::carrying::{belongs, carried, photo_of, tie, tied};
-use crate::page::words::TextItem;
-use crate::page::words::model::NewText;
+use crate::text_links::{belongs, carried, photo_of, tie, tied};
+use crate::text::TextItem;
+use crate::text::NewText;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// After an edit of pages, moves each text item to the page of its photo. `before`: the state that was
 /// edited.
-pub(super) fn follow(before: &Project, next: &mut Project) {
+pub(crate) fn follow(before: &Project, next: &mut Project) {
     let has_words = |project: &Project| project.sheets().iter().any(|sheet| !sheet.page.words.is_empty());
     if next.waiting.is_empty() && !has_words(next) && !has_words(before) {
         return;
@@ -92,7 +92,7 @@ fn with(page: &Document, words: Vec<TextItem>) -> Option<(Document, Vec<TextItem
 
 /// Returns a planned page with the unplaced text items of its photos.
 #[must_use]
-pub(super) fn gathered(project: &Project, page: Document) -> Document {
+pub fn gathered(project: &Project, page: Document) -> Document {
     if project.waiting.is_empty() {
         return page;
     }
@@ -126,7 +126,7 @@ impl Project {
     /// Adds new text items: on the page and the panel in `sheet` and `panel`, or at its `photo`. Text items
     /// without a page or space stay unplaced. A text item of a known `cue` is not added again. Returns `None`
     /// without new text items.
-    pub(super) fn with_words(&self, words: &[NewText]) -> Option<Self> {
+    pub(crate) fn with_words(&self, words: &[NewText]) -> Option<Self> {
         let mut known: HashSet<String> = HashSet::new();
         let mut number = 0;
         let mut note = |word: &TextItem| {
@@ -191,7 +191,7 @@ impl Project {
     }
 
     /// Removes unplaced text items by index. `None` if none of them exist.
-    pub(super) fn without_waiting(&self, gone: &[usize]) -> Option<Self> {
+    pub(crate) fn without_waiting(&self, gone: &[usize]) -> Option<Self> {
         let stay =
             self.waiting.iter().enumerate().filter(|(i, _)| !gone.contains(i)).map(|(_, word)| word.clone());
         let waiting: super::project::List<TextItem> = stay.collect();
@@ -199,7 +199,7 @@ impl Project {
     }
 
     /// Text items move to the photo that replaces their photo.
-    pub(super) fn words_exchanged(&mut self, id: &str, by: &str) {
+    pub(crate) fn words_exchanged(&mut self, id: &str, by: &str) {
         let changed = |word: &TextItem| {
             let renamed = || TextItem { photo: Some(by.to_owned()), ..word.clone() };
             (word.photo.as_deref() == Some(id)).then(renamed)

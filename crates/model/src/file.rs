@@ -11,14 +11,15 @@ use super::limits::{
 };
 use super::project::{self, List, Parts, Sheet, TrayItem};
 use super::shots::Board;
-use super::{Dropped, VERSION, pages, refusal, version};
+use super::{Dropped, VERSION, validation, refusal, version};
 use crate::error::Result;
-use crate::framing::{Expression, Subject};
+use crate::subject::{Expression, Subject};
 use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
-use crate::output::shots::timecode::StartTimecode;
-use crate::page::words::TextItem;
-use crate::page::{CustomFile, Document};
+use crate::timecode::StartTimecode;
+use crate::text::TextItem;
+use crate::page::Document;
+use crate::reference::CustomFile;
 use crate::raster::Matte;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use serde_json::Value;
@@ -43,7 +44,7 @@ pub struct ProjectFile {
 
 /// Metadata of a photo in a file.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct FilePhoto {
     /// Its id in the document.
     pub id: String,
@@ -52,26 +53,26 @@ pub struct FilePhoto {
     /// Its place in the archive.
     pub path: String,
     /// Media type of the file, empty if unknown.
-    #[cfg_attr(test, ts(rename = "type"))]
+    #[cfg_attr(feature = "typescript", ts(rename = "type"))]
     pub kind: String,
     /// Its author.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub credit: Option<String>,
     /// The video that it is a frame of.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub video: Option<String>,
     /// Seconds from the beginning of the video.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub time: Option<f64>,
     /// The number of its shot in the video, from 1.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub shot: Option<u64>,
     /// Whether it is compared with other photos.
     pub measured: bool,
     /// Detected subjects; `None` before detection.
     pub subjects: Option<Vec<Subject>>,
     /// Subject mask.
-    #[cfg_attr(test, ts(type = "string", optional))]
+    #[cfg_attr(feature = "typescript", ts(type = "string", optional))]
     pub mask: Option<Matte>,
     /// Its place in time among the photos.
     pub rank: Option<u64>,
@@ -83,7 +84,7 @@ pub struct FilePhoto {
 
 /// How a photo is recognised.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Likeness {
     /// SHA-256 of its file, or empty.
     pub hash: String,
@@ -97,7 +98,7 @@ pub struct Likeness {
 
 /// Metadata of a video in a file.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct FileVideo {
     /// Names it.
     pub key: String,
@@ -106,7 +107,7 @@ pub struct FileVideo {
     /// Its place in the archive.
     pub path: String,
     /// The type of its file.
-    #[cfg_attr(test, ts(rename = "type"))]
+    #[cfg_attr(feature = "typescript", ts(rename = "type"))]
     pub kind: String,
     /// Ids of photos that are frames of the video.
     pub ids: Vec<String>,
@@ -117,7 +118,7 @@ pub struct FileVideo {
     /// to here.
     pub end: Option<f64>,
     /// Timecode of the first frame.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub timecode: Option<StartTimecode>,
 }
 
@@ -461,15 +462,15 @@ impl Parts for Inline {
     }
 
     fn settings(&mut self, value: Value) -> Read<Arc<PageSettings>> {
-        pages::settings(value)
+        validation::settings(value)
     }
 
     fn page(&mut self, value: Value) -> Read<Arc<Document>> {
-        pages::page(value)
+        validation::page(value)
     }
 
     fn sheets(&mut self, value: Value) -> Read<List<Sheet>> {
-        Ok(each(items(value, MOST_SHEETS)?, &|value| Sheet::read(value, &pages::page))?.into())
+        Ok(each(items(value, MOST_SHEETS)?, &|value| Sheet::read(value, &validation::page))?.into())
     }
 
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>> {
@@ -481,7 +482,7 @@ impl Parts for Inline {
     }
 
     fn waiting(&mut self, value: Value) -> Read<List<TextItem>> {
-        Ok(each(items(value, MOST_WAITING)?, &pages::waiting)?.into())
+        Ok(each(items(value, MOST_WAITING)?, &validation::waiting)?.into())
     }
 
     fn styles(&mut self, value: Value, field: &str) -> Read<List<CustomFile>> {

@@ -13,7 +13,7 @@ pub const PAGE: Quad =
 /// Which way a split runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum Axis {
     /// Children are stacked from top to bottom; dividers are horizontal.
     Rows,

@@ -23,12 +23,13 @@ use super::limits::{
 };
 use super::project::{self, List, Order, Pages, Parts, Project, Sheet, TrayItem};
 use super::shots::Board;
-use super::{Dropped, VERSION, leave_out, own, pages, refusal, version};
+use super::{Dropped, VERSION, leave_out, own, validation, refusal, version};
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, items};
 use crate::layout::PageSettings;
-use crate::page::words::TextItem;
-use crate::page::{CustomFile, Document};
+use crate::text::TextItem;
+use crate::page::Document;
+use crate::reference::CustomFile;
 use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -208,9 +209,9 @@ impl Tables {
         let mut fields = Fields::of(value)?;
         let mut table = |name: &str| fields.list(name, MOST_PARTS);
         let tray_items = all(table("items")?, &TrayItem::read);
-        let pages = all(table("pages")?, &pages::page);
+        let pages = all(table("pages")?, &validation::page);
         let sheets = all(table("sheets")?, &|value| Sheet::read(value, &|page| part(&pages, &page, "page")));
-        let words = all(table("words")?, &pages::waiting);
+        let words = all(table("words")?, &validation::waiting);
         let styles = own_parts(table("styles")?, "styles", CustomFile::style, dropped);
         let layouts = own_parts(table("layouts")?, "layouts", CustomFile::layout, dropped);
         Ok(Self {
@@ -219,7 +220,7 @@ impl Tables {
             waits: listed(table("waits")?, MOST_WAITING, &words, "word", &Into::into),
             shelves: shelves(table("shelves")?, MOST_STYLES, &styles),
             layout_shelves: shelves(table("layoutShelves")?, MOST_LAYOUTS, &layouts),
-            settings: all(table("settings")?, &pages::settings),
+            settings: all(table("settings")?, &validation::settings),
             drafts: all(table("drafts")?, &Draft::read),
             boards: all(table("boards")?, &Board::shared),
             pages,
@@ -380,7 +381,7 @@ fn edited_page(state: &Project) -> Option<&Arc<Document>> {
 
 /// Writes states. It finds parts of existing tables by their addresses.
 #[derive(Default)]
-pub(super) struct Interner {
+pub(crate) struct Interner {
     inline: bool,
     known: HashMap<usize, u64>,
     /// Indices in the table `books`, by the addresses of the pages.
@@ -390,7 +391,7 @@ pub(super) struct Interner {
 
 impl Interner {
     /// One that leaves every part where it is.
-    pub(super) fn inline() -> Self {
+    pub(crate) fn inline() -> Self {
         Self { inline: true, ..Self::default() }
     }
 
@@ -420,12 +421,12 @@ impl Interner {
     }
 
     /// Writes a state, its fields in the order in which the page has them.
-    pub(super) fn state(&mut self, out: &mut Writer, state: &Project) {
+    pub(crate) fn state(&mut self, out: &mut Writer, state: &Project) {
         self.differences(out, state, None);
     }
 
     /// Writes the fields of a state that differ from another state.
-    pub(super) fn differences(&mut self, out: &mut Writer, state: &Project, was: Option<&Project>) {
+    pub(crate) fn differences(&mut self, out: &mut Writer, state: &Project, was: Option<&Project>) {
         let fresh = |same: &dyn Fn(&Project) -> bool| !was.is_some_and(same);
         out.open(b'{');
         if fresh(&|was| was.name == state.name) {
@@ -515,7 +516,7 @@ impl Interner {
     }
 
     /// Writes pages shown.
-    pub(super) fn shown(&mut self, out: &mut Writer, shown: &[Arc<Shown>]) {
+    pub(crate) fn shown(&mut self, out: &mut Writer, shown: &[Arc<Shown>]) {
         out.open(b'[');
         for Shown { id, page, from, sheet, rest } in shown.iter().map(AsRef::as_ref) {
             out.item();

@@ -5,7 +5,7 @@ use super::limits::{MOST_LAYOUTS, MOST_STYLES, PROJECT};
 use super::project::List;
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer};
-use crate::page::CustomFile;
+use crate::reference::CustomFile;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 

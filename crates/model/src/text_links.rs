@@ -1,8 +1,8 @@
 //! Text items and their photos: an item on a panel belongs to the photo there, and stores its id in the field
 //! `photo`.
 
-use super::document::PanelContent;
-use super::words::TextItem;
+use super::page::PanelContent;
+use super::text::TextItem;
 
 /// The photo of a text item: the photo that it names, or the photo on its panel.
 #[must_use]

@@ -22,7 +22,7 @@ const SCREEN: f64 = 1280.0;
 /// The settings of one page. Lengths are fractions of the page's width unless a unit is given.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 #[allow(clippy::struct_excessive_bools, reason = "each is a separate field of the file")]
 pub struct PageSettings {
     /// Width of the exported page in pixels, 64..=14000.
@@ -48,24 +48,24 @@ pub struct PageSettings {
     pub border_color: String,
     /// Whether text has the larger size for screens.
     #[serde(skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<bool>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<bool>", optional))]
     pub for_screens: bool,
     /// Whether the page is read from right to left: its layout is mirrored.
     #[serde(skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<bool>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<bool>", optional))]
     pub rtl: bool,
     /// Whether photos are shown whole: the layout follows their aspect ratios.
     #[serde(skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<bool>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<bool>", optional))]
     pub whole_photos: bool,
     /// Bleed in page widths, 0 to 0.1. For print files only; it is never saved.
     #[serde(skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<f64>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<f64>", optional))]
     pub bleed: f64,
     /// Upscale photos below [`COARSE`] pixels per inch with edge enhancement. For printed files only; it is
     /// never saved.
     #[serde(skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<bool>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<bool>", optional))]
     pub enlarge: bool,
 }
 

@@ -5,7 +5,7 @@ use super::invalid;
 use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_TAGS, PROJECT};
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, text_of};
-use crate::page::StyleRef;
+use crate::reference::StyleRef;
 use crate::raster::color::parse_hex;
 use crate::style::Style;
 use crate::style::blocks::{self, Block, Channels};
@@ -17,7 +17,7 @@ use std::sync::Arc;
 /// A style while it is designed. Every block has a key, so that its card stays the same card wherever it is moved, and all
 /// of its values.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Draft {
     /// Id of the style.
     pub id: String,
@@ -32,40 +32,40 @@ pub struct Draft {
     /// Colour of the lines, `#rrggbb`.
     pub ink: String,
     /// Whether face protection is off.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub careless: bool,
     /// The parts of the image that the layers apply to.
-    #[cfg_attr(test, ts(rename = "where", as = "Option<Parts>", optional))]
+    #[cfg_attr(feature = "typescript", ts(rename = "where", as = "Option<Parts>", optional))]
     pub parts: Parts,
     /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A block of a draft.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct DraftStep {
     /// Names it within the draft.
     pub key: u64,
     /// Id of the block.
     pub block: String,
     /// Its values by the ids of the parameters.
-    #[cfg_attr(test, ts(type = "Record<string, ParamValue>"))]
+    #[cfg_attr(feature = "typescript", ts(type = "Record<string, ParamValue>"))]
     pub values: Map<String, Value>,
     /// Whether the block is bypassed.
     pub bypass: bool,
     /// The part of the image that it applies to. `None`: the whole image.
-    #[cfg_attr(test, ts(rename = "where", optional))]
+    #[cfg_attr(feature = "typescript", ts(rename = "where", optional))]
     pub part: Option<Part>,
     /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A layer of a style.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "lowercase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Layer {
     /// The colours.
     Background,
@@ -75,7 +75,7 @@ pub enum Layer {
 
 /// Position of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Place {
     /// The layer,
     pub layer: Layer,
@@ -87,7 +87,7 @@ pub struct Place {
 /// its position.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
-    test,
+    feature = "typescript",
     derive(ts_rs::TS),
     ts(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase")
 )]
@@ -95,7 +95,7 @@ pub enum DraftEdit {
     /// Adds blocks.
     Add {
         /// Before which block.
-        #[cfg_attr(test, ts(flatten))]
+        #[cfg_attr(feature = "typescript", ts(flatten))]
         place: Place,
         /// Ids of blocks.
         blocks: Vec<String>,
@@ -103,7 +103,7 @@ pub enum DraftEdit {
     /// Moves a block.
     Move {
         /// Which.
-        #[cfg_attr(test, ts(flatten))]
+        #[cfg_attr(feature = "typescript", ts(flatten))]
         place: Place,
         /// The target layer.
         to_layer: Layer,
@@ -113,19 +113,19 @@ pub enum DraftEdit {
     /// Removes a block.
     Remove {
         /// Which.
-        #[cfg_attr(test, ts(flatten))]
+        #[cfg_attr(feature = "typescript", ts(flatten))]
         place: Place,
     },
     /// Duplicates a block. The copy follows it.
     Duplicate {
         /// Position to insert after.
-        #[cfg_attr(test, ts(flatten))]
+        #[cfg_attr(feature = "typescript", ts(flatten))]
         place: Place,
     },
     /// Bypasses a block, or enables it again.
     Bypass {
         /// Which.
-        #[cfg_attr(test, ts(flatten))]
+        #[cfg_attr(feature = "typescript", ts(flatten))]
         place: Place,
         /// Whether it is bypassed.
         on: bool,
@@ -133,18 +133,18 @@ pub enum DraftEdit {
     /// A parameter gets a value.
     Set {
         /// The block.
-        #[cfg_attr(test, ts(flatten))]
+        #[cfg_attr(feature = "typescript", ts(flatten))]
         place: Place,
         /// Its id.
         param: String,
         /// The value.
-        #[cfg_attr(test, ts(type = "ParamValue"))]
+        #[cfg_attr(feature = "typescript", ts(type = "ParamValue"))]
         value: Value,
     },
     /// Sets the part of the image for a block.
     Where {
         /// Which block.
-        #[cfg_attr(test, ts(flatten))]
+        #[cfg_attr(feature = "typescript", ts(flatten))]
         place: Place,
         /// `null` for the whole image.
         part: Option<Part>,
@@ -159,7 +159,7 @@ pub enum DraftEdit {
     /// All values are usual again.
     Reset {
         /// The block.
-        #[cfg_attr(test, ts(flatten))]
+        #[cfg_attr(feature = "typescript", ts(flatten))]
         place: Place,
     },
     /// The style gets a name.
@@ -181,7 +181,7 @@ pub enum DraftEdit {
 
 /// Missing input of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Lack", rename_all = "lowercase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename = "Lack", rename_all = "lowercase"))]
 pub enum Misfit {
     /// Grayscale input: [`Misfit::remedy`] provides it.
     Luma,
@@ -515,12 +515,12 @@ fn misfit_at_end(steps: &[DraftStep], block: &str) -> Option<Misfit> {
 }
 
 /// The layers by their names, with the part that each is for.
-pub(super) fn part_of_layers(parts: Parts) -> [(&'static str, Option<Part>); 2] {
+pub(crate) fn part_of_layers(parts: Parts) -> [(&'static str, Option<Part>); 2] {
     [("background", parts.background), ("foreground", parts.foreground)]
 }
 
 /// Reads a part by name. `None` if it is missing or null.
-pub(super) fn read_part(fields: &mut Fields, name: &str) -> Read<Option<Part>> {
+pub(crate) fn read_part(fields: &mut Fields, name: &str) -> Read<Option<Part>> {
     let Some(told) = fields.nullable(name).text(name, LONGEST_ID)? else { return Ok(None) };
     let part = Part::of(&told).ok_or_else(|| Wrong::new("must be subject or background").at(name))?;
     Ok(Some(part))
@@ -586,7 +586,7 @@ fn layer(value: Value) -> Read<Layer> {
 }
 
 impl Draft {
-    pub(super) fn read(value: Value) -> Read<Arc<Self>> {
+    pub(crate) fn read(value: Value) -> Read<Arc<Self>> {
         let mut fields = Fields::of(value)?;
         let ink = fields.text("ink", 7)?.unwrap_or_else(|| "#000000".into());
         if parse_hex(&ink).is_none() {
@@ -605,7 +605,7 @@ impl Draft {
         }))
     }
 
-    pub(super) fn write(&self, out: &mut Writer) {
+    pub(crate) fn write(&self, out: &mut Writer) {
         out.open(b'{');
         out.key("id").text(&self.id);
         out.key("name").text(&self.name);

@@ -3,7 +3,6 @@
 use super::project::{Pages, Project, Sheet};
 use crate::json::Writer;
 use crate::page::Document;
-use crate::page::book::renumber;
 use crate::raster::Matte;
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -40,8 +39,23 @@ impl Project {
         self.sheets().len() > 1
     }
 
+    /// Photos that appear twice on a page, or on two pages, although there are enough photos.
+    #[must_use]
+    pub fn claimed_twice(&self) -> Vec<String> {
+        let mut seen = HashSet::new();
+        let mut twice = Vec::new();
+        for sheet in self.sheets() {
+            for photo in photos_on(&[&sheet.page]) {
+                if !seen.insert(photo.to_owned()) {
+                    twice.push(photo.to_owned());
+                }
+            }
+        }
+        twice
+    }
+
     /// Takes over the page settings of the edited page.
-    pub(super) fn follow_paper(&mut self) {
+    pub fn follow_paper(&mut self) {
         if let Some(page) = self.page().map(|page| &page.page).filter(|paper| **paper != *self.settings) {
             self.settings = Arc::new(page.clone());
         }
@@ -49,7 +63,7 @@ impl Project {
 
     /// Replaces the pages of the storyboard. `None` if `active` is out of range.
     #[must_use]
-    pub(super) fn set_pages(&mut self, sheets: &[Arc<Sheet>], active: usize) -> Option<()> {
+    pub(crate) fn set_pages(&mut self, sheets: &[Arc<Sheet>], active: usize) -> Option<()> {
         self.pages = Pages::new(numbered(sheets), active)?;
         self.follow_paper();
         Some(())
@@ -72,8 +86,19 @@ fn numbered(sheets: &[Arc<Sheet>]) -> Vec<Arc<Sheet>> {
     sheets.iter().enumerate().map(number).collect()
 }
 
+/// Sets the number of a page of a book, from 1. Returns whether the text changed.
+pub fn renumber(page: &mut Document, number: usize) -> bool {
+    let text = number.to_string();
+    let mut changed = false;
+    for word in page.words.iter_mut().filter(|word| word.number) {
+        changed |= word.text != text;
+        word.text.clone_from(&text);
+    }
+    changed
+}
+
 /// Writes sheets. Pages that were already in `before` are omitted.
-pub(super) fn write(out: &mut Writer, sheets: &[Arc<Sheet>], before: &[Arc<Sheet>]) {
+pub fn write(out: &mut Writer, sheets: &[Arc<Sheet>], before: &[Arc<Sheet>]) {
     out.list(sheets, &|out, sheet| {
         out.open(b'{');
         if !before.iter().any(|before| Arc::ptr_eq(&before.page, &sheet.page)) {
@@ -98,7 +123,7 @@ pub fn photos_on<'a>(pages: &[&'a Document]) -> HashSet<&'a str> {
 }
 
 /// Replaces a photo of the page. `None` if the page does not show it.
-pub(super) fn exchanged(page: &Document, id: &str, by: &str) -> Option<Document> {
+pub(crate) fn exchanged(page: &Document, id: &str, by: &str) -> Option<Document> {
     let shown = page.panels.iter().filter_map(|panel| panel.photo.as_deref());
     if !shown.chain(page.order.iter().map(String::as_str)).any(|photo| photo == id) {
         return None;
@@ -121,7 +146,7 @@ pub(super) fn exchanged(page: &Document, id: &str, by: &str) -> Option<Document>
 
 /// Updates the panel breakouts of a photo for another mask, or removes them without a mask. `None` if nothing
 /// changes.
-pub(super) fn with_figures(page: &Document, id: &str, figure: Option<&Matte>) -> Option<Document> {
+pub(crate) fn with_figures(page: &Document, id: &str, figure: Option<&Matte>) -> Option<Document> {
     let shown = page.panels.iter().enumerate().filter(|(_, panel)| panel.photo.as_deref() == Some(id));
     let other = |at: &usize| {
         let before = page.panels[*at].figure.as_ref();
@@ -138,7 +163,7 @@ pub(super) fn with_figures(page: &Document, id: &str, figure: Option<&Matte>) ->
 }
 
 /// Empties the panels that show the given photos. `None` if the page shows none of them.
-pub(super) fn without(page: &Document, gone: &dyn Fn(&str) -> bool) -> Option<Document> {
+pub(crate) fn without(page: &Document, gone: &dyn Fn(&str) -> bool) -> Option<Document> {
     let shown = page.panels.iter().filter_map(|panel| panel.photo.as_deref());
     if !shown.chain(page.order.iter().map(String::as_str)).any(gone) {
         return None;

@@ -8,14 +8,15 @@ use super::limits::{
 };
 use super::project::{self, Focus, List, Order, Project, Sheet, Styling, TrayItem};
 use super::shots::{self, Board, Shot};
-use super::{following, own, pages, sheets};
+use super::{following, own, validation, sheets};
 use crate::json::fields::whole_of;
 use crate::json::{Fields, Read, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
-use crate::page::carrying::tied;
-use crate::page::words::TextItem;
-use crate::page::words::model::NewText;
-use crate::page::{CustomFile, Document};
+use crate::text_links::tied;
+use crate::text::TextItem;
+use crate::text::NewText;
+use crate::page::Document;
+use crate::reference::CustomFile;
 use crate::raster::Matte;
 use serde_json::{Map, Value};
 use std::collections::{HashMap, HashSet};
@@ -24,7 +25,7 @@ use std::sync::Arc;
 /// An edit. In JSON, an object with the name of the edit as `type`, and its fields.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
-    test,
+    feature = "typescript",
     derive(ts_rs::TS),
     ts(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase")
 )]
@@ -48,7 +49,7 @@ pub enum Edit {
     /// Photos are used, or not.
     UsePhotos {
         /// Which, by id.
-        #[cfg_attr(test, ts(type = "Record<string, boolean>"))]
+        #[cfg_attr(feature = "typescript", ts(type = "Record<string, boolean>"))]
         uses: Vec<(String, bool)>,
     },
     /// Replaces a photo everywhere.
@@ -61,10 +62,10 @@ pub enum Edit {
     /// Sets how photos are selected and ordered. Missing fields stay unchanged.
     ChooseBy {
         /// Bits in which fingerprints of look-alikes may differ.
-        #[cfg_attr(test, ts(optional = nullable))]
+        #[cfg_attr(feature = "typescript", ts(optional = nullable))]
         alike: Option<u8>,
         /// The order.
-        #[cfg_attr(test, ts(optional = nullable))]
+        #[cfg_attr(feature = "typescript", ts(optional = nullable))]
         order: Option<Order>,
     },
     /// The point of a photo that matters.
@@ -86,22 +87,22 @@ pub enum Edit {
         /// The photo.
         id: String,
         /// `None` restores the detected mask.
-        #[cfg_attr(test, ts(type = "string | null"))]
+        #[cfg_attr(feature = "typescript", ts(type = "string | null"))]
         mask: Option<Matte>,
         /// The detected mask, for the panel breakouts of the photo.
-        #[cfg_attr(test, ts(type = "string", optional))]
+        #[cfg_attr(feature = "typescript", ts(type = "string", optional))]
         found: Option<Matte>,
     },
     /// Sets the shot metadata of photos.
     DescribeShots {
         /// The complete metadata of each shot, by photo id.
-        #[cfg_attr(test, ts(type = "Record<string, Shot>"))]
+        #[cfg_attr(feature = "typescript", ts(type = "Record<string, Shot>"))]
         shots: Vec<(String, Shot)>,
     },
     /// How the shots are counted, ordered and laid out.
     SetBoard {
         /// The complete settings of the storyboard.
-        #[cfg_attr(test, ts(as = "Board"))]
+        #[cfg_attr(feature = "typescript", ts(as = "Board"))]
         board: Arc<Board>,
     },
     /// A part of the page is locked, or no longer.
@@ -146,13 +147,13 @@ pub enum Edit {
     AddWords {
         /// Each has its page index as `sheet` and its `panel`, or its `photo`. `joins` continues the text
         /// item before.
-        #[cfg_attr(test, ts(type = "ReadonlyArray<Word & { sheet?: number; joins?: boolean }>"))]
+        #[cfg_attr(feature = "typescript", ts(type = "ReadonlyArray<Word & { sheet?: number; joins?: boolean }>"))]
         words: Vec<NewText>,
     },
     /// Replaces the text items of pages.
     SetWords {
         /// For each page its index in the storyboard, and all its text items.
-        #[cfg_attr(test, ts(type = "ReadonlyArray<{ at: number; words: ReadonlyArray<Word> }>"))]
+        #[cfg_attr(feature = "typescript", ts(type = "ReadonlyArray<{ at: number; words: ReadonlyArray<Word> }>"))]
         pages: Vec<(usize, Vec<TextItem>)>,
     },
     /// Deletes unplaced text items.
@@ -170,19 +171,19 @@ pub enum Edit {
     /// Sets the custom styles.
     OwnStyles {
         /// All of them.
-        #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+        #[cfg_attr(feature = "typescript", ts(as = "Vec<crate::style::Style>"))]
         mine: List<CustomFile>,
     },
     /// Styles that are favourites.
     Favourites {
         /// All of them.
-        #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+        #[cfg_attr(feature = "typescript", ts(as = "Vec<crate::style::Style>"))]
         favourites: List<CustomFile>,
     },
     /// Sets the custom layouts.
     OwnLayouts {
         /// All of them.
-        #[cfg_attr(test, ts(as = "Vec<crate::layout::Template>"))]
+        #[cfg_attr(feature = "typescript", ts(as = "Vec<crate::layout::Template>"))]
         own_layouts: List<CustomFile>,
     },
     /// A page shown is a favourite, or no longer.
@@ -209,23 +210,23 @@ pub enum Edit {
     /// Replaces lists that all projects share with their current version, without an undo step.
     Share {
         /// The lists that changed.
-        #[cfg_attr(test, ts(type = "Partial<SharedLists>"))]
+        #[cfg_attr(feature = "typescript", ts(type = "Partial<SharedLists>"))]
         lists: Vec<(Shelf, List<CustomFile>)>,
     },
     /// Like `Share`, but other items of this project stay, at the end.
     Join {
         /// The lists to merge.
-        #[cfg_attr(test, ts(type = "Partial<SharedLists>"))]
+        #[cfg_attr(feature = "typescript", ts(type = "Partial<SharedLists>"))]
         lists: Vec<(Shelf, List<CustomFile>)>,
     },
     /// An edit of pages that needs the planner.
-    #[cfg_attr(test, ts(untagged))]
+    #[cfg_attr(feature = "typescript", ts(untagged))]
     Plan(Intent),
 }
 
 /// A part of the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "lowercase"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Part {
     /// Its layout.
     Layout,
@@ -261,7 +262,9 @@ impl Shelf {
         }
     }
 
-    pub(super) fn of_mut(self, project: &mut Project) -> &mut List<CustomFile> {
+    /// The list of a state, for changes.
+    #[must_use]
+    pub fn of_mut(self, project: &mut Project) -> &mut List<CustomFile> {
         match self {
             Self::Mine => &mut project.mine,
             Self::Favourites => &mut project.favourites,
@@ -272,14 +275,14 @@ impl Shelf {
 
 /// How an edit is recorded in the history. In JSON, fields next to the fields of the edit.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct How {
     /// Amends the present state without an undo step, for example while a page is still being completed.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub silent: bool,
     /// Name of a coalesced edit, such as one drag of a slider. A step with the name of the step before joins
     /// it.
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub gesture: Option<String>,
 }
 
@@ -491,7 +494,7 @@ impl Project {
 
 /// Removes photos. It caches changed pages, so that states which shared a page share the new one. Keep it
 /// until all states are done.
-pub(super) struct Without<'a> {
+pub struct Without<'a> {
     gone: HashSet<&'a str>,
     /// The conversion of each list, by address, if it changed. There are few.
     trays: Vec<(usize, Option<List<TrayItem>>)>,
@@ -499,13 +502,15 @@ pub(super) struct Without<'a> {
 }
 
 impl<'a> Without<'a> {
-    pub(super) fn new(ids: &'a [String]) -> Self {
+    /// `ids`: the photos to remove.
+    #[must_use]
+    pub fn new(ids: &'a [String]) -> Self {
         let gone = ids.iter().map(String::as_str).collect();
         Self { gone, trays: Vec::new(), pages: Vec::new() }
     }
 
     /// Returns the state without the photos, or `None` if it does not contain them.
-    pub(super) fn state(&mut self, state: &Project) -> Option<Project> {
+    pub fn state(&mut self, state: &Project) -> Option<Project> {
         let gone = &self.gone;
         let tray = once(&mut self.trays, state.tray.as_ptr().addr(), || {
             let stay = |item: &&Arc<TrayItem>| !gone.contains(item.id.as_str());
@@ -526,7 +531,7 @@ impl<'a> Without<'a> {
     }
 
     /// Returns the page without the photos, or `None` if it does not contain them.
-    pub(super) fn page(&mut self, page: &Arc<Document>) -> Option<Arc<Document>> {
+    pub fn page(&mut self, page: &Arc<Document>) -> Option<Arc<Document>> {
         let gone = &self.gone;
         once(&mut self.pages, Arc::as_ptr(page).addr(), || {
             sheets::without(page, &|photo| gone.contains(photo)).map(Arc::new)
@@ -604,8 +609,8 @@ impl Edit {
             }
             "change-page" => Self::ChangePage { page: page(&mut fields, 0, &|_| None)? },
             "change-settings" => Self::ChangeSettings {
-                settings: fields.part("settings", &mut pages::settings)?.unwrap_or_default(),
-                page: fields.nullable("page").part("page", &mut pages::page)?,
+                settings: fields.part("settings", &mut validation::settings)?.unwrap_or_default(),
+                page: fields.nullable("page").part("page", &mut validation::page)?,
             },
             "set-sheets" => {
                 let sheets = fields.each("sheets", MOST_SHEETS, &|value| sheet(value, known))?;
@@ -701,7 +706,7 @@ fn shelf(value: Value, shelf: Shelf) -> Read<List<CustomFile>> {
 
 /// Reads a complete page, or the page with this id.
 fn page(fields: &mut Fields, id: u64, known: &dyn Fn(u64) -> Option<Arc<Document>>) -> Read<Arc<Document>> {
-    match fields.part("page", &mut pages::page)? {
+    match fields.part("page", &mut validation::page)? {
         Some(page) => Ok(page),
         None => known(id).ok_or_else(|| Wrong::new("is missing").at("page")),
     }

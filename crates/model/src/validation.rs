@@ -6,8 +6,8 @@ use crate::error::Result;
 use crate::json::{Read, Wrong};
 use crate::layout::PageSettings;
 use crate::page::Document;
-use crate::page::carrying::tie;
-use crate::page::words::TextItem;
+use crate::text_links::tie;
+use crate::text::TextItem;
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ pub fn page(value: Value) -> Read<Arc<Document>> {
 ///
 /// # Errors
 /// Returns `invalid-document` with the location.
-pub(super) fn planned(page: Document) -> Result<Arc<Document>> {
+pub fn planned(page: Document) -> Result<Arc<Document>> {
     let mut page = page.validated()?;
     check(&page).map_err(|wrong| invalid(&wrong))?;
     let Document { words, panels, .. } = &mut page;

@@ -1,13 +1,13 @@
 //! Edits of pages as intents: the wish of the user without the resulting page. `carrying_out` plans the page.
 //! Random choices come from a seed in the intent, so that an intent and a state give exactly one result.
 
-use crate::framing::Crop;
+use crate::crop::Crop;
 use crate::json::typed::typed;
 use crate::json::{Fields, Read, Wrong};
 use crate::layout::PageSettings;
-use crate::page::layouts::LayoutChange;
-use crate::page::request::{Styling, Taste};
-use crate::page::{LayoutRef, StyleRef};
+use crate::layout::LayoutChange;
+use crate::choice::{Styling, Taste};
+use crate::reference::{LayoutRef, StyleRef};
 use crate::raster::Matte;
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -16,7 +16,7 @@ use serde_json::{Map, Value};
 /// of the current page. An intent that is impossible, such as a change of a locked panel, changes nothing.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(tag = "type", rename_all = "kebab-case")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[allow(clippy::large_enum_variant, reason = "one at a time exists")]
 pub enum Intent {
     /// Changes the crop of a panel.
@@ -52,7 +52,7 @@ pub enum Intent {
         /// The panel.
         panel: usize,
         /// Mask of the subject; `None` removes the breakout.
-        #[cfg_attr(test, ts(type = "string | null"))]
+        #[cfg_attr(feature = "typescript", ts(type = "string | null"))]
         mask: Option<Matte>,
     },
     /// Merges panels: they share one image.
@@ -78,7 +78,7 @@ pub enum Intent {
     /// Computes the crops of a page again, for new measurements of its photos.
     Recrop {
         /// The page, by its place in the storyboard. Default: the current page.
-        #[cfg_attr(test, ts(optional = nullable))]
+        #[cfg_attr(feature = "typescript", ts(optional = nullable))]
         sheet: Option<u64>,
     },
     /// Computes the crops of a photo again, and drops its manual crops.
@@ -103,7 +103,7 @@ pub enum Intent {
     /// Gives the page a layout, as a new page.
     ChooseLayout {
         /// The layout.
-        #[cfg_attr(test, ts(as = "crate::page::document::LayoutChoice"))]
+        #[cfg_attr(feature = "typescript", ts(as = "crate::page::LayoutChoice"))]
         layout: LayoutRef,
         /// Seed of random choices.
         seed: u32,
@@ -111,7 +111,7 @@ pub enum Intent {
     /// Gives the page a style, as a new page.
     ChooseStyle {
         /// The style.
-        #[cfg_attr(test, ts(as = "crate::page::document::StyleChoice"))]
+        #[cfg_attr(feature = "typescript", ts(as = "crate::page::StyleChoice"))]
         style: StyleRef,
         /// Seed of random choices.
         seed: u32,
@@ -119,7 +119,7 @@ pub enum Intent {
     /// Changes the style of the page, for example while the user designs it.
     Restyle {
         /// The style.
-        #[cfg_attr(test, ts(as = "crate::page::document::StyleChoice"))]
+        #[cfg_attr(feature = "typescript", ts(as = "crate::page::StyleChoice"))]
         style: StyleRef,
     },
     /// Puts the photos of the page into the order of the photos in use, as a new page. Locked panels stay.
@@ -148,7 +148,7 @@ pub enum Intent {
         held: bool,
         /// Learned preferences.
         #[serde(default)]
-        #[cfg_attr(test, ts(as = "Option<_>", optional))]
+        #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
         taste: Taste,
     },
     /// Plans all parts of the current page again, from some of the photos in use.
@@ -158,13 +158,13 @@ pub enum Intent {
         /// Number of panels.
         panels: usize,
         /// The layout. Default: chosen automatically.
-        #[cfg_attr(test, ts(as = "Option<crate::page::document::LayoutChoice>", optional = nullable))]
+        #[cfg_attr(feature = "typescript", ts(as = "Option<crate::page::LayoutChoice>", optional = nullable))]
         layout: Option<LayoutRef>,
         /// The style. Default: chosen automatically.
-        #[cfg_attr(test, ts(as = "Option<crate::page::document::StyleChoice>", optional = nullable))]
+        #[cfg_attr(feature = "typescript", ts(as = "Option<crate::page::StyleChoice>", optional = nullable))]
         style: Option<StyleRef>,
-        /// Randomness of the choice, see [`Request::surprise`](crate::page::request::Request::surprise).
-        #[cfg_attr(test, ts(optional = nullable))]
+        /// Randomness of the choice, as in a request for a page.
+        #[cfg_attr(feature = "typescript", ts(optional = nullable))]
         surprise: Option<f64>,
         /// Random choices.
         draw: Draw,
@@ -200,11 +200,11 @@ pub enum Intent {
     /// Replaces missing photos on the other pages, and removes pages without photos.
     RepairPages {
         /// Groups of near-duplicates by photo id.
-        #[cfg_attr(test, ts(type = "Record<string, number>"))]
+        #[cfg_attr(feature = "typescript", ts(type = "Record<string, number>"))]
         groups: Map<String, Value>,
         /// Learned preferences.
         #[serde(default)]
-        #[cfg_attr(test, ts(as = "Option<_>", optional))]
+        #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
         taste: Taste,
     },
     /// Restores a version of the page history in its place in the storyboard. If the place does not exist any
@@ -215,12 +215,12 @@ pub enum Intent {
         page_id: u64,
         /// Learned preferences.
         #[serde(default)]
-        #[cfg_attr(test, ts(as = "Option<_>", optional))]
+        #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
         taste: Taste,
     },
     /// An unknown intent, which is not read.
     #[serde(other)]
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     Unknown,
 }
 
@@ -229,7 +229,7 @@ impl Intent {
     ///
     /// # Errors
     /// Returns the location of the error.
-    pub(super) fn read(name: &str, fields: Fields) -> Read<Self> {
+    pub(crate) fn read(name: &str, fields: Fields) -> Read<Self> {
         let mut fields = fields.rest();
         fields.insert("type".into(), name.into());
         match typed(Value::Object(fields))? {
@@ -242,7 +242,7 @@ impl Intent {
 /// Part of a page that a shuffle changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum Shuffled {
     /// All parts that are not locked.
     All,
@@ -256,17 +256,17 @@ pub enum Shuffled {
 
 /// The basis of random choices.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Draw {
     /// The seed.
     pub seed: u32,
     /// Learned preferences.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub taste: Taste,
     /// How a style is chosen.
     #[serde(default)]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub styling: Styling,
 }
 
@@ -292,12 +292,12 @@ impl Intent {
 /// A change of the crop of a panel. `from` is the crop that it starts from; default: the current crop.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(tag = "type", rename_all = "kebab-case")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum CropChange {
     /// Moves the photo.
     Pan {
         /// The crop at the start of the drag.
-        #[cfg_attr(test, ts(optional = nullable))]
+        #[cfg_attr(feature = "typescript", ts(optional = nullable))]
         from: Option<Crop>,
         /// Distance to the right, in widths of the image on the page.
         x: f64,
@@ -307,12 +307,12 @@ pub enum CropChange {
     /// Zooms the photo.
     Zoom {
         /// The crop at the start of the gesture.
-        #[cfg_attr(test, ts(optional = nullable))]
+        #[cfg_attr(feature = "typescript", ts(optional = nullable))]
         from: Option<Crop>,
         /// Values above 1 zoom in.
         factor: f64,
         /// The fixed point, in fractions of the image on the page. Default: the centre.
-        #[cfg_attr(test, ts(optional = nullable))]
+        #[cfg_attr(feature = "typescript", ts(optional = nullable))]
         at: Option<[f64; 2]>,
     },
     /// Shows the subject large. Without a subject, it is the automatic crop.

@@ -2,9 +2,9 @@
 //! give exactly one image.
 
 use super::reference::{LayoutRef, StyleRef};
-use super::words::model::{MOST_WORDS, TextItem, TextKind};
+use super::text::{MOST_WORDS, TextItem, TextKind};
 use crate::error::{Error, Result};
-use crate::framing::Crop;
+use crate::crop::Crop;
 use crate::json::fields::{at_most, not_longer};
 use crate::json::typed::{self, is_default, nullable, typed_by};
 use crate::json::{Read, Writer, Wrong};
@@ -31,7 +31,7 @@ const SLACK: f64 = 1e-6;
 /// A storyboard page.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(remote = "Self")]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "PageDocument"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename = "PageDocument"))]
 pub struct Document {
     /// [`VERSION`].
     #[serde(deserialize_with = "typed::whole::<_, _, 1, { u32::MAX as u64 }>")]
@@ -40,10 +40,10 @@ pub struct Document {
     #[serde(deserialize_with = "typed::whole::<_, _, 0, { u32::MAX as u64 }>")]
     pub seed: u32,
     /// Id of a layout, or a template in full.
-    #[cfg_attr(test, ts(as = "LayoutChoice"))]
+    #[cfg_attr(feature = "typescript", ts(as = "LayoutChoice"))]
     pub layout: LayoutRef,
     /// Id of a style, or a style in full.
-    #[cfg_attr(test, ts(as = "StyleChoice"))]
+    #[cfg_attr(feature = "typescript", ts(as = "StyleChoice"))]
     pub style: StyleRef,
     /// Photos in reading order, possibly more than panels.
     #[serde(default)]
@@ -58,41 +58,45 @@ pub struct Document {
     pub page: PageSettings,
     /// The photos get one white point. Pages that were saved before this field have the colours of each photo.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub balanced: bool,
     /// Text items on the page, in paint order.
     #[serde(default)]
     pub words: Vec<TextItem>,
     /// Unknown fields, preserved for newer programs.
     #[serde(flatten)]
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 /// A layout by its id, or in full.
-#[cfg(test)]
+#[cfg(feature = "typescript")]
 #[derive(ts_rs::TS)]
 #[ts(untagged)]
 #[allow(dead_code, reason = "only for the TypeScript types")]
-pub(crate) enum LayoutChoice {
+pub enum LayoutChoice {
+    /// A built-in layout.
     Id(String),
+    /// A layout in full.
     Full(Template),
 }
 
 /// A style by its id, or in full.
-#[cfg(test)]
+#[cfg(feature = "typescript")]
 #[derive(ts_rs::TS)]
 #[ts(untagged)]
 #[allow(dead_code, reason = "only for the TypeScript types")]
-pub(crate) enum StyleChoice {
+pub enum StyleChoice {
+    /// A built-in style.
     Id(String),
+    /// A style in full.
     Full(Style),
 }
 
 /// Content of a panel.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "PanelUse"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename = "PanelUse"))]
 #[allow(clippy::struct_excessive_bools, reason = "each is a separate field of the file")]
 pub struct PanelContent {
     /// Id of the photo; `None` for an empty panel.
@@ -101,31 +105,31 @@ pub struct PanelContent {
     pub crop: Option<Crop>,
     /// Faces of the photo, in fractions of it, which the style protects. Old pages have no faces here, and look unchanged.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    #[cfg_attr(test, ts(as = "Option<Vec<Crop>>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<Vec<Crop>>", optional))]
     pub faces: Vec<Crop>,
     /// Subject mask of the photo for a panel breakout. `None` disables the breakout.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(type = "string", optional))]
+    #[cfg_attr(feature = "typescript", ts(type = "string", optional))]
     pub figure: Option<Matte>,
     /// Whether the panel is a logo: no style, no border, and described as a logo.
     #[serde(deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub plain: bool,
     /// Whether a gray photo gets a warm tone, because other photos of the page have colours.
     #[serde(deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub toned: bool,
     /// Whether every shuffle preserves the panel.
     #[serde(deserialize_with = "nullable")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub locked: bool,
     /// Whether the crop is manual. It stays as long as the photo stays in this panel.
     #[serde(deserialize_with = "nullable")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub edited: bool,
     /// Unknown fields, preserved for newer programs.
     #[serde(flatten)]
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 

@@ -26,7 +26,7 @@ const FONTS: [&str; 3] = ["comic-neue", "comic-neue-bold", "bangers"];
 /// Kind of a text item.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum TextKind {
     /// A box of narration.
     #[default]
@@ -51,7 +51,7 @@ pub enum Kind {
 /// The outline of a balloon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum Shape {
     /// Said.
     Oval,
@@ -80,153 +80,153 @@ pub struct Tail {
 /// bounds of its panel, or of the page without a panel.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[allow(clippy::struct_excessive_bools, reason = "each is a separate field of the file")]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Word"))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename = "Word"))]
 pub struct TextItem {
     /// Kind.
-    #[cfg_attr(test, ts(inline))]
+    #[cfg_attr(feature = "typescript", ts(inline))]
     pub kind: TextKind,
     /// Text; `\n` ends a line.
     #[serde(default, deserialize_with = "nullable")]
     pub text: String,
     /// The outline of a balloon. Default: oval.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(inline, optional))]
+    #[cfg_attr(feature = "typescript", ts(inline, optional))]
     pub shape: Option<Shape>,
     /// Its panel. Default: positions are fractions of the page.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub panel: Option<usize>,
     /// Its middle from the left. Default: 0.5.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub x: Option<f64>,
     /// Its middle from the top. Default: 0.5.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub y: Option<f64>,
     /// Width of the box or balloon in page widths. Default: fits the text.
     #[serde(default, deserialize_with = "number_or_auto", skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub width: Option<f64>,
     /// Height of an em in page widths. Default: as large as fits, between two limits.
     #[serde(default, deserialize_with = "number_or_auto", skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(type = "number | 'auto' | null", optional))]
+    #[cfg_attr(feature = "typescript", ts(type = "number | 'auto' | null", optional))]
     pub size: Option<f64>,
     /// End of the tail of a balloon.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(type = "Focus | null", optional))]
+    #[cfg_attr(feature = "typescript", ts(type = "Focus | null", optional))]
     pub tail: Option<Tail>,
     /// Id of a font.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub font: Option<String>,
     /// Text colour, and outline colour of a balloon, `#rrggbb`. Default: follows the style.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub color: Option<String>,
     /// Fill colour of a balloon or a box; outline colour of an effect, `#rrggbb`. Default: follows the style.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub fill: Option<String>,
     /// Degrees that an effect is turned clockwise.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub angle: f64,
     /// Arc of a sound effect: 1 bends up by a third of a circle, -1 bends down by the same angle.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub arc: f64,
     /// Whether the item is placed automatically, away from faces. Default: true without a position.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub auto: Option<bool>,
     /// Whether a shuffle made it. The next shuffle replaces it.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub made: bool,
     /// Whether it belongs to a book. A shuffle keeps it, another book replaces it.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub book: bool,
     /// Whether it is a page number, which follows the position of the page.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub number: bool,
     /// Whether it names a place by the location in a photo.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub located: bool,
     /// The photo that it belongs to. The item follows this photo. Default: the photo on its panel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub photo: Option<String>,
     /// The subtitle of origin, so that it is not added twice.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub cue: Option<String>,
     /// Whether a caption has no box. Its text is on the image, with an outline.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub boxless: bool,
     /// Whether the caption is only left-aligned text from the top of its area.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub plain: bool,
     /// Whether ruled lines replace the text of a caption.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub ruled: bool,
     /// Whether it is set in capitals. Default: true by the rules of letterers, except effects.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub capitals: Option<bool>,
     /// Slant of a sound effect in degrees to the right, -45 to 45.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub slant: f64,
     /// Half the width of the outline of a sound effect, in ems, 0 to 0.4.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub outline: Option<f64>,
     /// Whether an effect is behind the subject of its panel, if the subject is known.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub behind: bool,
     /// Id, for links of other balloons.
     #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub id: Option<String>,
     /// The id of the balloon that this one is linked to; both have one speaker.
     #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub joined: Option<String>,
     /// Automatically linked balloon. It is found again at each automatic placement.
     #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub linked: Option<String>,
     /// Whether this balloon is never linked automatically.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub apart: bool,
     /// Name of the speaker, if known. Balloons of different speakers are never linked automatically.
     #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional))]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     pub by: Option<String>,
     /// Language of the text, such as `en` or `pt-BR`, for hyphenation. Default: no hyphenation.
     #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[cfg_attr(feature = "typescript", ts(optional = nullable))]
     pub language: Option<String>,
     /// Its lines are columns, read from the top down and from right to left.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub vertical: bool,
     /// Width and height in page widths for an item without a set width, found during placement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(type = "readonly [width: number, height: number] | null", optional))]
+    #[cfg_attr(feature = "typescript", ts(type = "readonly [width: number, height: number] | null", optional))]
     pub room: Option<(f64, f64)>,
     /// Unknown fields, preserved for newer programs.
     #[serde(flatten)]
-    #[cfg_attr(test, ts(skip))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub rest: Map<String, Value>,
 }
 
