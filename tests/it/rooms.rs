@@ -9,12 +9,20 @@ use std::path::{Component, Path, PathBuf};
 const ENGINE: &str = "crates/engine/src";
 
 /// Crates whose files must not depend on each other in a circle.
-const CRATES: [&str; 7] =
-    ["crates/image/src", "crates/style/src", "crates/detect/src", "crates/model/src", ENGINE, "src", "crates/cli/src"];
+const CRATES: [&str; 7] = [
+    "crates/image/src",
+    "crates/style/src",
+    "crates/detect/src",
+    "crates/model/src",
+    ENGINE,
+    "src",
+    "crates/cli/src",
+];
 
 /// The modules from the lowest to the highest.
 const ROOMS: [&str; 11] = [
-    "kinds", "places", "texts", "select", "hearing", "framing", "plan", "page", "output", "document", "native",
+    "kinds", "places", "texts", "select", "hearing", "framing", "plan", "page", "output", "document",
+    "native",
 ];
 
 /// All files below a folder with one of these extensions.

@@ -59,9 +59,9 @@ mod typescript;
 #[cfg(feature = "detect")]
 pub use inkpanel_detect as detect;
 use inkpanel_image::order;
-pub use inkpanel_model::{json, layout};
 pub use inkpanel_image::{
     error::{self, Error, Result},
     raster, simd,
 };
+pub use inkpanel_model::{json, layout};
 pub use inkpanel_style as style;

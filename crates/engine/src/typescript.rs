@@ -20,7 +20,8 @@ use crate::layout::edit::Cut;
 use crate::layout::merge::Obstacle;
 use crate::layout::tree::Axis;
 use crate::layout::{
-    Bounds, Circle, Descriptor, LayoutChange, LayoutPanel, Outline, PageSettings, PlacedPanel, Point, Template,
+    Bounds, Circle, Descriptor, LayoutChange, LayoutPanel, Outline, PageSettings, PlacedPanel, Point,
+    Template,
 };
 use crate::output::animatic::{self, Animatic, Clip};
 use crate::output::board::{self, Labels, Logo, PictureOf};
@@ -33,9 +34,7 @@ use crate::page::book;
 use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntry, ParamKind, VerdictEntry};
 use crate::page::document::{LayoutChoice, PanelContent, StyleChoice};
 use crate::page::import::{ImportEntry, PixelSize};
-use crate::page::layouts::{
-    GenerateRequest, Geometry, LayoutEntry, LayoutFacts, LayoutsRequest,
-};
+use crate::page::layouts::{GenerateRequest, Geometry, LayoutEntry, LayoutFacts, LayoutsRequest};
 use crate::page::pdf::{Imposition, Options};
 use crate::page::request::{Avoid, Families, Keep, Mode, Request, Taste};
 use crate::page::words::TextItem;

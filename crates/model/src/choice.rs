@@ -45,7 +45,11 @@ impl Taste {
 /// all fields are optional.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(from = "Value")]
-#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename = "StylingRequest", rename_all = "camelCase"))]
+#[cfg_attr(
+    feature = "typescript",
+    derive(ts_rs::TS),
+    ts(rename = "StylingRequest", rename_all = "camelCase")
+)]
 pub struct Styling {
     /// Complete custom and favourite styles. They are chosen like built-in ones.
     #[cfg_attr(feature = "typescript", ts(as = "Option<Vec<crate::style::Style>>", optional))]

@@ -8,16 +8,16 @@ use super::limits::{
 };
 use super::project::{self, Focus, List, Order, Project, Sheet, Styling, TrayItem};
 use super::shots::{self, Board, Shot};
-use super::{following, own, validation, sheets};
+use super::{following, own, sheets, validation};
 use crate::json::fields::whole_of;
 use crate::json::{Fields, Read, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
-use crate::text_links::tied;
-use crate::text::TextItem;
-use crate::text::NewText;
 use crate::page::Document;
-use crate::reference::CustomFile;
 use crate::raster::Matte;
+use crate::reference::CustomFile;
+use crate::text::NewText;
+use crate::text::TextItem;
+use crate::text_links::tied;
 use serde_json::{Map, Value};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -147,13 +147,19 @@ pub enum Edit {
     AddWords {
         /// Each has its page index as `sheet` and its `panel`, or its `photo`. `joins` continues the text
         /// item before.
-        #[cfg_attr(feature = "typescript", ts(type = "ReadonlyArray<Word & { sheet?: number; joins?: boolean }>"))]
+        #[cfg_attr(
+            feature = "typescript",
+            ts(type = "ReadonlyArray<Word & { sheet?: number; joins?: boolean }>")
+        )]
         words: Vec<NewText>,
     },
     /// Replaces the text items of pages.
     SetWords {
         /// For each page its index in the storyboard, and all its text items.
-        #[cfg_attr(feature = "typescript", ts(type = "ReadonlyArray<{ at: number; words: ReadonlyArray<Word> }>"))]
+        #[cfg_attr(
+            feature = "typescript",
+            ts(type = "ReadonlyArray<{ at: number; words: ReadonlyArray<Word> }>")
+        )]
         pages: Vec<(usize, Vec<TextItem>)>,
     },
     /// Deletes unplaced text items.

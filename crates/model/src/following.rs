@@ -5,9 +5,9 @@
 use super::limits::{MOST_WAITING, MOST_WORDS};
 use super::project::Project;
 use crate::page::Document;
-use crate::text_links::{belongs, carried, photo_of, tie, tied};
-use crate::text::TextItem;
 use crate::text::NewText;
+use crate::text::TextItem;
+use crate::text_links::{belongs, carried, photo_of, tie, tied};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 

@@ -1,14 +1,14 @@
 //! Edits of pages as intents: the wish of the user without the resulting page. `carrying_out` plans the page.
 //! Random choices come from a seed in the intent, so that an intent and a state give exactly one result.
 
+use crate::choice::{Styling, Taste};
 use crate::crop::Crop;
 use crate::json::typed::typed;
 use crate::json::{Fields, Read, Wrong};
-use crate::layout::PageSettings;
 use crate::layout::LayoutChange;
-use crate::choice::{Styling, Taste};
-use crate::reference::{LayoutRef, StyleRef};
+use crate::layout::PageSettings;
 use crate::raster::Matte;
+use crate::reference::{LayoutRef, StyleRef};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 

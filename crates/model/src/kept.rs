@@ -23,13 +23,13 @@ use super::limits::{
 };
 use super::project::{self, List, Order, Pages, Parts, Project, Sheet, TrayItem};
 use super::shots::Board;
-use super::{Dropped, VERSION, leave_out, own, validation, refusal, version};
+use super::{Dropped, VERSION, leave_out, own, refusal, validation, version};
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, items};
 use crate::layout::PageSettings;
-use crate::text::TextItem;
 use crate::page::Document;
 use crate::reference::CustomFile;
+use crate::text::TextItem;
 use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::Arc;

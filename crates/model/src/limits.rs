@@ -3,9 +3,9 @@
 
 use crate::json::Bounds;
 pub use crate::page::{LONGEST_ID, MOST_PHOTOS};
-pub use crate::text::{MOST_LETTERS, MOST_WORDS};
 pub use crate::style::file::MOST_BLOCKS;
 pub use crate::style::texture::MOST_BYTES as TEXTURE;
+pub use crate::text::{MOST_LETTERS, MOST_WORDS};
 
 /// Bytes of one text: a texture as a data URL is the longest.
 const TEXT: usize = 2 * TEXTURE;

@@ -3,8 +3,8 @@
 
 use super::reference::{LayoutRef, StyleRef};
 use super::text::{MOST_WORDS, TextItem, TextKind};
-use crate::error::{Error, Result};
 use crate::crop::Crop;
+use crate::error::{Error, Result};
 use crate::json::fields::{at_most, not_longer};
 use crate::json::typed::{self, is_default, nullable, typed_by};
 use crate::json::{Read, Writer, Wrong};

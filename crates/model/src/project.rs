@@ -7,11 +7,11 @@ use super::limits::{DUPLICATE_THRESHOLD, GREATEST_ID, LONGEST_ID, LONGEST_NAME, 
 use super::shots::{Board, Shot};
 use crate::json::{Fields, Read, Writer, Wrong, fields};
 use crate::layout::PageSettings;
-use crate::text::TextItem;
 use crate::page::Document;
-use crate::reference::CustomFile;
 use crate::raster::Matte;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
+use crate::reference::CustomFile;
+use crate::text::TextItem;
 use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;

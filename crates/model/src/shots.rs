@@ -61,7 +61,10 @@ pub struct Shot {
     #[cfg_attr(feature = "typescript", ts(optional))]
     pub frames: Option<u32>,
     /// Values of custom columns by name.
-    #[cfg_attr(feature = "typescript", ts(as = "Option<std::collections::BTreeMap<String, String>>", optional))]
+    #[cfg_attr(
+        feature = "typescript",
+        ts(as = "Option<std::collections::BTreeMap<String, String>>", optional)
+    )]
     pub more: Map<String, Value>,
     /// Unknown fields, preserved for newer programs.
     #[cfg_attr(feature = "typescript", ts(skip))]

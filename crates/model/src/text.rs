@@ -222,7 +222,10 @@ pub struct TextItem {
     pub vertical: bool,
     /// Width and height in page widths for an item without a set width, found during placement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "typescript", ts(type = "readonly [width: number, height: number] | null", optional))]
+    #[cfg_attr(
+        feature = "typescript",
+        ts(type = "readonly [width: number, height: number] | null", optional)
+    )]
     pub room: Option<(f64, f64)>,
     /// Unknown fields, preserved for newer programs.
     #[serde(flatten)]

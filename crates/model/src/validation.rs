@@ -6,8 +6,8 @@ use crate::error::Result;
 use crate::json::{Read, Wrong};
 use crate::layout::PageSettings;
 use crate::page::Document;
-use crate::text_links::tie;
 use crate::text::TextItem;
+use crate::text_links::tie;
 use serde_json::Value;
 use std::sync::Arc;
 

@@ -2,17 +2,17 @@
 
 use super::history::History;
 use super::intent::{CropChange, Draw, Intent, Shuffled};
-use super::validation;
 use super::planning::{KEEP_ALL, Known, Planning, Seeds};
 use super::project::Sheet;
 use super::sheets::photos_on;
+use super::validation;
 use crate::error::Result;
 use crate::framing::Crop;
+use crate::layout::LayoutChange;
 use crate::layout::join::join_panels;
 use crate::layout::merge::{Obstacle, merged_bounds, why_not_merge};
 use crate::layout::{PageSettings, enlarged, resolve};
 use crate::page::document::PanelContent;
-use crate::layout::LayoutChange;
 use crate::page::request::{Keep, Mode, Request};
 use crate::page::{Document, LayoutRef, StyleRef, breaking};
 use serde::Serialize;

@@ -125,7 +125,8 @@ impl Editor {
         let mut sheets = self.project().sheets().to_vec();
         let several = made.len() > 1;
         for (place, page) in made {
-            sheets[place] = Arc::new(Sheet { page: validation::planned(page)?, ..Sheet::clone(&sheets[place]) });
+            sheets[place] =
+                Arc::new(Sheet { page: validation::planned(page)?, ..Sheet::clone(&sheets[place]) });
         }
         let page = sheets.get(at).map(|sheet| sheet.page.clone());
         let mut edits = vec![Edit::ChangeSettings { settings: Arc::new(settings), page }];

@@ -50,8 +50,7 @@ pub fn shots(file: &ProjectFile) -> Vec<&str> {
     };
     let photos: HashMap<&str, &FilePhoto> =
         file.photos.iter().map(|photo| (photo.id.as_str(), photo)).collect();
-    let mut own: Vec<&TrayItem> =
-        present.tray.iter().map(AsRef::as_ref).filter(|item| used(item)).collect();
+    let mut own: Vec<&TrayItem> = present.tray.iter().map(AsRef::as_ref).filter(|item| used(item)).collect();
     own.retain(|item| photos.contains_key(item.id.as_str()));
     // If any capture time is missing, the order of the tray stays.
     let rank = |item: &TrayItem| photos.get(item.id.as_str()).and_then(|photo| photo.rank);
@@ -103,7 +102,12 @@ pub fn shot_list(file: &ProjectFile) -> ShotList {
 }
 
 /// `said`: the text on the pages, for empty fields of a shot.
-fn listed(file: &ProjectFile, item: &TrayItem, number: String, said: Option<&[Vec<String>; 3]>) -> ListedShot {
+fn listed(
+    file: &ProjectFile,
+    item: &TrayItem,
+    number: String,
+    said: Option<&[Vec<String>; 3]>,
+) -> ListedShot {
     let mut shot = item.shot.clone();
     let fields = [&mut shot.dialogue, &mut shot.caption, &mut shot.sound];
     for (field, said) in fields.into_iter().zip(said.into_iter().flatten()) {
@@ -122,8 +126,7 @@ fn listed(file: &ProjectFile, item: &TrayItem, number: String, said: Option<&[Ve
             timecode: video.timecode,
         })
     });
-    let more =
-        shot.more.iter().filter_map(|(name, text)| Some((name.clone(), text.as_str()?.to_owned())));
+    let more = shot.more.iter().filter_map(|(name, text)| Some((name.clone(), text.as_str()?.to_owned())));
     ListedShot {
         number,
         more: more.collect(),

@@ -31,5 +31,6 @@ pub mod upkeep;
 #[cfg(feature = "files")]
 pub use inkpanel_model::saved;
 pub use inkpanel_model::{
-    Dropped, VERSION, invalid, draft, edit, file, following, history, intent, kept, limits, own, project, sheets, shots, validation,
+    Dropped, VERSION, draft, edit, file, following, history, intent, invalid, kept, limits, own, project,
+    sheets, shots, validation,
 };

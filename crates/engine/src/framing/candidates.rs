@@ -7,8 +7,8 @@
 use std::borrow::Cow;
 
 use super::Crop;
-use super::{FACE, PhotoMeta, Subject};
 use super::target::Target;
+use super::{FACE, PhotoMeta, Subject};
 use crate::layout::Bounds;
 use crate::order::sort_by;
 

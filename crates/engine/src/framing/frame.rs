@@ -1,10 +1,10 @@
 //! The crop of one photo for one panel.
 
-use super::candidates::{Area, Search, View, all};
 use super::Crop;
-use super::{FACE, PhotoMeta};
+use super::candidates::{Area, Search, View, all};
 use super::score::Judge;
 use super::target::Target;
+use super::{FACE, PhotoMeta};
 
 /// Crops of one photo that differ; a photo used still more often starts again.
 const VARIANTS: u32 = 8;

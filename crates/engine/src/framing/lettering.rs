@@ -6,8 +6,8 @@
 //! stroke width transform". Here they apply to connected components of a locally thresholded image. The
 //! detector prefers misses to false positives, such as fences.
 
-use super::{LETTERING, Subject};
 use super::pixel::{luma, rgb};
+use super::{LETTERING, Subject};
 use crate::order::{sort_by, sort_by_key};
 use crate::raster::Image;
 use crate::raster::sets::Sets;

@@ -21,12 +21,12 @@ mod target;
 pub use energy::EnergyMap;
 pub use facts::Facts;
 pub use frame::{closeup, frame, sketch};
+pub use inkpanel_model::crop::Crop;
+pub use inkpanel_model::subject::{Expression, FACE, FIGURE, FacePoints, LETTERING, PERSON_HEAD, Subject};
 pub use lettering::lettering;
 #[cfg(feature = "detect")]
 pub use photo::subject_of;
 pub use photo::{Focus, PhotoMeta};
-pub use inkpanel_model::crop::Crop;
-pub use inkpanel_model::subject::{Expression, FACE, FIGURE, FacePoints, LETTERING, PERSON_HEAD, Subject};
 pub use region::Region;
 pub(crate) use score::{MEDIUM, SURE};
 pub use target::Target;

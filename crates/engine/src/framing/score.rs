@@ -6,10 +6,10 @@
 
 use std::borrow::Cow;
 
-use super::candidates::{Area, ROOM, View, reach};
 use super::Crop;
-use super::{FACE, PERSON_HEAD, PhotoMeta, Subject};
+use super::candidates::{Area, ROOM, View, reach};
 use super::sums::Sums;
+use super::{FACE, PERSON_HEAD, PhotoMeta, Subject};
 
 /// Maximum enlargement, unless nothing else fits.
 const MOST_ENLARGED: f64 = 2.0;

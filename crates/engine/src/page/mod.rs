@@ -2,12 +2,12 @@
 //!
 //! | module | for |
 //! |---|---|
-//! | [`document`] | the page as plain data: the front end stores, undoes and saves it |
+//! | [`document`] | the page as plain data: the front end stores, undoes and saves it (crate `inkpanel-model`) |
 //! | [`import`] | a file turned into what the page needs of a photo |
 //! | [`catalogue`] | blocks, layouts and styles as JSON |
 //! | [`layouts`] | layouts listed, made and changed, as JSON |
-//! | [`carrying`] | text items that follow their photos |
-//! | [`reference`](mod@reference) | the layout and the style of a page, by id or in full |
+//! | [`text_links`] | text items that follow their photos (crate `inkpanel-model`) |
+//! | [`reference`](mod@reference) | the layout and the style of a page, by id or in full (crate `inkpanel-model`) |
 //! | [`request`] | parameters for planning a document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | [`storyboard`] | the photos of an album that pages are made of, and its pages |

@@ -1,12 +1,12 @@
 //! A new document from photos, locks and a seed: the pure function behind every shuffle, choice and refinement.
 
 use super::breaking;
-use super::text_links::{carried, tied};
 use super::document::{Document, VERSION};
 use super::fill::{Stage, contents};
 use super::reference::LayoutRef;
 use super::request::{Mode, Request};
 use super::styling::{choose_style, papered};
+use super::text_links::{carried, tied};
 use crate::error::{Error, Result};
 use crate::framing::PhotoMeta;
 use crate::layout::merge::{mergeable, why_not_merge};

@@ -1,8 +1,8 @@
 //! The layouts that a page is chosen from: some of all that are good for it, drawn without repeats, families that make
 //! good pages rather than others.
 
-use oorandom::Rand64;
 use inkpanel_model::choice::Taste;
+use oorandom::Rand64;
 
 use super::assign::gumbel;
 use super::best_first;

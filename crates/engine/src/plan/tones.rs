@@ -3,12 +3,12 @@
 
 use std::sync::OnceLock;
 
-use inkpanel_model::choice::Taste;
 use super::slots::{Assignment, Slot};
 use crate::framing::{FACE, Facts, PhotoMeta};
 use crate::style::Style;
 use crate::style::context::scale_of;
 use crate::style::file::Step;
+use inkpanel_model::choice::Taste;
 
 /// A line per style, best first: its id, its mark, the luma that it makes of each sixteenth of luma, two
 /// hexadecimal digits each, and its uses. The marks are manual ratings from 0 to 10, on faces, groups and

@@ -1,10 +1,10 @@
 //! Selects photos and gives the reasons.
 
-pub use inkpanel_model::limits::{DUPLICATE_THRESHOLD, DUPLICATE_THRESHOLD_RANGE};
 use super::Measures;
 use super::fingerprint::distance;
 use super::groups::leaders_by;
 use crate::order::sort_by;
+pub use inkpanel_model::limits::{DUPLICATE_THRESHOLD, DUPLICATE_THRESHOLD_RANGE};
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 

@@ -8,7 +8,7 @@
 //! | `edl` | an edit decision list, CMX 3600 |
 //! | `otio` | `OpenTimelineIO` |
 //! | `xmeml` | XML of Final Cut Pro 7, which most programs of today still read |
-//! | [`timecode`] | frames as hours, minutes, seconds and frames |
+//! | [`timecode`] | frames as hours, minutes, seconds and frames (crate `inkpanel-model`) |
 
 mod csv;
 mod edl;
@@ -16,10 +16,10 @@ mod otio;
 mod xmeml;
 
 use crate::error::{Error, Result};
+pub use inkpanel_model::timecode;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
-pub use inkpanel_model::timecode;
 use timecode::{Pace, Rate, StartTimecode};
 
 /// Shots in their order. In JSON, empty fields may be missing.

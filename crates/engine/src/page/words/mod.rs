@@ -7,7 +7,7 @@
 //! | [`learning`] | traced glyphs of characters that the fonts lack |
 //! | `given` | fonts from the user's files, in native builds |
 //! | `vertical` | placement of glyphs in vertical text |
-//! | [`model`] | a text item as plain data, validated |
+//! | [`model`] | a text item as plain data, validated (crate `inkpanel-model`) |
 //! | [`wording`] | text as letterers write it: capitals, quotes, emphasis, hyphens |
 //! | [`ruby`] | ruby: small readings next to the characters |
 //! | [`setting`] | text broken into lines and fitted into a shape |
@@ -48,5 +48,5 @@ pub mod truetype;
 mod vertical;
 pub mod wording;
 
-pub use letters::Letters;
 pub use inkpanel_model::text::{self as model, TextItem, TextKind};
+pub use letters::Letters;
