@@ -59,14 +59,19 @@ impl Fine {
 
     /// Converts a plane of whole grey levels. Both have one size.
     pub fn widen(&mut self, plane: &Plane) {
-        for (fine, &sample) in self.samples.iter_mut().zip(plane.samples()) {
-            *fine = i16::from(sample) << FRACTION;
-        }
+        widen_row(plane.samples(), &mut self.samples);
     }
 
     /// Rounds to whole grey levels. Both have one size.
     pub fn narrow(&self, plane: &mut Plane) {
         narrow_row(&self.samples, plane.samples_mut());
+    }
+}
+
+/// Converts whole grey levels to fine samples.
+pub fn widen_row(row: &[u8], out: &mut [i16]) {
+    for (fine, &sample) in out.iter_mut().zip(row) {
+        *fine = i16::from(sample) << FRACTION;
     }
 }
 

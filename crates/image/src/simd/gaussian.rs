@@ -13,8 +13,9 @@
 //! the frequencies that alias at half the rate. Borders repeat the edge exactly: the coarse grid extends
 //! beyond the image as far as the low-pass sees both sides of the edge, and is constant beyond.
 
-use super::fine::{Fine, pad_row};
+use super::fine::{Fine, narrow_row, pad_row, widen_row};
 use super::fir::{self, Kernel};
+use crate::raster::Plane;
 
 /// Sigma of the low-pass and of the interpolation, in samples of the finer grid.
 const BRIDGE: f32 = 1.4;
@@ -33,7 +34,11 @@ pub struct Buffers {
 impl Buffers {
     /// A plane whose samples are arbitrary.
     pub fn take(&mut self, width: usize, height: usize) -> Fine {
-        Fine::reusing(self.planes.pop().unwrap_or_default(), width, height)
+        // The buffer of the nearest size, because growth costs time.
+        let far = |at: &usize| self.planes[*at].len().abs_diff(width * height);
+        let nearest = (0..self.planes.len()).min_by_key(far);
+        let samples = nearest.map(|at| self.planes.swap_remove(at));
+        Fine::reusing(samples.unwrap_or_default(), width, height)
     }
 
     /// Takes a plane back.
@@ -47,34 +52,126 @@ impl Buffers {
 /// Error against an exact Gaussian: below .5 grey steps for sigma .3 to 50.
 #[must_use]
 pub fn blur(source: &Fine, sigma: f32, buffers: &mut Buffers) -> Fine {
+    let out = buffers.take(source.width(), source.height());
+    let mut rows = Copied { source, out };
+    smooth(&mut rows, sigma, buffers);
+    rows.out
+}
+
+/// Smooths a plane of whole grey levels in place, like [`blur`].
+pub fn blur_plane(plane: &mut Plane, sigma: f32, buffers: &mut Buffers) {
+    smooth(plane, sigma, buffers);
+}
+
+/// Rows that are read and replaced in order. A row is read once, before it is replaced.
+trait Rows {
+    /// Width and height.
+    fn size(&self) -> (usize, usize);
+    /// Copies a row to `row`, which has its width.
+    fn read(&self, y: usize, row: &mut [i16]);
+    /// Replaces a row.
+    fn write(&mut self, y: usize, row: &[i16]);
+}
+
+/// A plane, and its copy that is written.
+struct Copied<'s> {
+    source: &'s Fine,
+    out: Fine,
+}
+
+impl Rows for Copied<'_> {
+    fn size(&self) -> (usize, usize) {
+        (self.source.width(), self.source.height())
+    }
+
+    fn read(&self, y: usize, row: &mut [i16]) {
+        row.copy_from_slice(self.source.row_clamped(y as isize));
+    }
+
+    fn write(&mut self, y: usize, row: &[i16]) {
+        self.out.row_mut(y).copy_from_slice(row);
+    }
+}
+
+impl Rows for Plane {
+    fn size(&self) -> (usize, usize) {
+        (self.width(), self.height())
+    }
+
+    fn read(&self, y: usize, row: &mut [i16]) {
+        widen_row(self.row(y), row);
+    }
+
+    fn write(&mut self, y: usize, row: &[i16]) {
+        narrow_row(row, self.row_mut(y));
+    }
+}
+
+/// The last rows of a plane whose rows are made in order. They stay in the cache.
+struct Recent {
+    rows: Fine,
+    /// Number of rows that were made.
+    made: usize,
+    /// Number of rows of the whole plane.
+    height: usize,
+}
+
+impl Recent {
+    /// `count`: how many rows are used at a time.
+    fn new(width: usize, height: usize, count: usize, buffers: &mut Buffers) -> Self {
+        Self { rows: buffers.take(width, count), made: 0, height }
+    }
+
+    /// Makes rows up to row `y`, and at least the first row.
+    fn make(&mut self, y: isize, mut row: impl FnMut(usize, &mut [i16])) {
+        let end = (y + 1).clamp(1, self.height as isize) as usize;
+        while self.made < end {
+            let count = self.rows.height();
+            row(self.made, self.rows.row_mut(self.made % count));
+            self.made += 1;
+        }
+    }
+
+    /// A recent row, where rows above and below the plane repeat its first and last.
+    fn row_clamped(&self, y: isize) -> &[i16] {
+        let y = y.clamp(0, self.height as isize - 1) as usize;
+        self.rows.row_clamped((y % self.rows.height()) as isize)
+    }
+}
+
+fn smooth(rows: &mut impl Rows, sigma: f32, buffers: &mut Buffers) {
     if sigma < COARSE_FROM {
-        return blur_direct(source, sigma, buffers);
+        smooth_direct(rows, sigma, buffers);
+        return;
     }
     let low_pass = Kernel::gaussian(BRIDGE);
-    let half = decimate(source, &low_pass, buffers);
+    let half = decimate(rows, &low_pass, buffers);
     let rest = ((sigma * sigma - 2.0 * BRIDGE * BRIDGE) / 4.0).sqrt();
     let smooth = blur(&half, rest, buffers);
     buffers.give(half);
-    let out = interpolate(&smooth, margin(&low_pass), (source.width(), source.height()), buffers);
+    interpolate(&smooth, margin(&low_pass), rows, buffers);
     buffers.give(smooth);
-    out
 }
 
-fn blur_direct(source: &Fine, sigma: f32, buffers: &mut Buffers) -> Fine {
+fn smooth_direct(rows: &mut impl Rows, sigma: f32, buffers: &mut Buffers) {
     let kernel = Kernel::gaussian(sigma);
-    let (width, height) = (source.width(), source.height());
-    let mut rows = buffers.take(width, height);
-    for y in 0..height {
-        let length = width + 2 * kernel.radius();
-        pad_row(source.row_clamped(y as isize), kernel.radius(), length, &mut buffers.padded);
-        fir::horizontal(&kernel, &buffers.padded, rows.row_mut(y));
+    let (width, height) = rows.size();
+    let radius = kernel.radius();
+    let mut recent = Recent::new(width, height, 2 * radius + 1, buffers);
+    let mut out = buffers.take(width, 1);
+    let mut source = buffers.take(width, 1);
+    for y in 0..height as isize {
+        recent.make(y + radius as isize, |y, row| {
+            rows.read(y, source.row_mut(0));
+            pad_row(source.row_clamped(0), radius, width + 2 * radius, &mut buffers.padded);
+            fir::horizontal(&kernel, &buffers.padded, row);
+        });
+        fir::vertical(&kernel, |k| recent.row_clamped(y + k), out.row_mut(0));
+        rows.write(y as usize, out.row_clamped(0));
     }
-    let mut out = buffers.take(width, height);
-    for y in 0..height {
-        fir::vertical(&kernel, |k| rows.row_clamped(y as isize + k), out.row_mut(y));
-    }
-    buffers.give(rows);
-    out
+    buffers.give(source);
+    buffers.give(out);
+    buffers.give(recent.rows);
 }
 
 /// Coarse samples that stand outside of the image, on each side.
@@ -83,49 +180,53 @@ fn margin(low_pass: &Kernel) -> usize {
 }
 
 /// Coarse sample (i, j) is the low-passed image at (2 (i - margin), 2 (j - margin)).
-fn decimate(source: &Fine, low_pass: &Kernel, buffers: &mut Buffers) -> Fine {
-    let margin = margin(low_pass);
+fn decimate(rows: &impl Rows, low_pass: &Kernel, buffers: &mut Buffers) -> Fine {
+    let (width, height) = rows.size();
+    let (margin, radius) = (margin(low_pass), low_pass.radius());
     let coarse = |side: usize| side.div_ceil(2) + 2 * margin;
-    let mut columns = buffers.take(source.width(), coarse(source.height()));
-    for j in 0..columns.height() {
-        let y = 2 * (j as isize - margin as isize);
-        fir::vertical(low_pass, |k| source.row_clamped(y + k), columns.row_mut(j));
-    }
-    let mut half = buffers.take(coarse(source.width()), columns.height());
+    let mut recent = Recent::new(width, height, 2 * radius + 1, buffers);
+    let mut column = buffers.take(width, 1);
+    let mut half = buffers.take(coarse(width), coarse(height));
     // The first centre stands 2 * ceil(radius / 2) into the padded row and 2 * margin before the image.
-    let before = 2 * margin + 2 * low_pass.radius().div_ceil(2);
-    let length = 2 * half.width() + 4 * low_pass.radius();
+    let before = 2 * margin + 2 * radius.div_ceil(2);
+    let length = 2 * half.width() + 4 * radius;
     for j in 0..half.height() {
-        pad_row(columns.row_clamped(j as isize), before, length, &mut buffers.padded);
+        let y = 2 * (j as isize - margin as isize);
+        recent.make(y + radius as isize, |y, row| rows.read(y, row));
+        fir::vertical(low_pass, |k| recent.row_clamped(y + k), column.row_mut(0));
+        pad_row(column.row_clamped(0), before, length, &mut buffers.padded);
         fir::decimate(low_pass, &buffers.padded, half.row_mut(j), &mut buffers.split);
     }
-    buffers.give(columns);
+    buffers.give(column);
+    buffers.give(recent.rows);
     half
 }
 
-fn interpolate(half: &Fine, margin: usize, (width, height): (usize, usize), buffers: &mut Buffers) -> Fine {
+fn interpolate(half: &Fine, margin: usize, rows: &mut impl Rows, buffers: &mut Buffers) {
     let (even, odd) = Kernel::gaussian_phases(BRIDGE);
     let reach = even.radius().max(odd.radius());
-    let mut rows = buffers.take(width, half.height());
-    for j in 0..half.height() {
-        let length = half.width() + 2 * reach;
-        pad_row(half.row_clamped(j as isize), reach, length, &mut buffers.padded);
-        let (padded, split) = (&buffers.padded, &mut buffers.split);
-        fir::interpolate((&even, &odd), padded, reach + margin, rows.row_mut(j), split);
-    }
-    let mut out = buffers.take(width, height);
+    let (width, height) = rows.size();
+    let mut recent = Recent::new(width, half.height(), 2 * reach + 1, buffers);
+    let mut out = buffers.take(width, 1);
+    let length = half.width() + 2 * reach;
     for y in 0..height {
-        let row = |j: isize| rows.row_clamped(j + margin as isize);
-        fir::vertical_between((&even, &odd), y, row, out.row_mut(y));
+        let first = (y / 2 + margin) as isize;
+        recent.make(first + reach as isize, |j, row| {
+            pad_row(half.row_clamped(j as isize), reach, length, &mut buffers.padded);
+            let (padded, split) = (&buffers.padded, &mut buffers.split);
+            fir::interpolate((&even, &odd), padded, reach + margin, row, split);
+        });
+        let row = |j: isize| recent.row_clamped(j + margin as isize);
+        fir::vertical_between((&even, &odd), y, row, out.row_mut(0));
+        rows.write(y, out.row_clamped(0));
     }
-    buffers.give(rows);
-    out
+    buffers.give(out);
+    buffers.give(recent.rows);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::Plane;
 
     /// The definition, in f64, cut at 8 sigma.
     fn exact(plane: &Plane, sigma: f64) -> Vec<f64> {

@@ -2,7 +2,7 @@
 
 use super::{Block, Channels, Kernel};
 use crate::params::{Gaps, Unit, number};
-use crate::simd::gaussian::blur;
+use crate::simd::gaussian::blur_plane;
 
 pub(super) static BLOCK: Block = Block {
     id: "gaussian",
@@ -24,12 +24,7 @@ pub(super) static BLOCK: Block = Block {
         if sigma < NOTHING {
             return Ok(plane);
         }
-        let mut fine = context.blurs.take(plane.width(), plane.height());
-        fine.widen(&plane);
-        let smooth = blur(&fine, sigma, &mut context.blurs);
-        smooth.narrow(&mut plane);
-        context.blurs.give(fine);
-        context.blurs.give(smooth);
+        blur_plane(&mut plane, sigma, &mut context.blurs);
         Ok(plane)
     }),
     ..Block::PLAIN
