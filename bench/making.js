@@ -29,8 +29,10 @@ export async function making(browser, address, photos, pictures) {
   await page.getByRole('group', { name: 'Preview on' }).getByRole('button', { name: 'Photo' }).click();
   await page.getByRole('group', { name: 'Preview photo' }).getByRole('button').first().click();
   for (const block of CHAIN) {
-    await page.getByRole('button', { name: 'Add block' }).click();
-    await page.getByRole('searchbox').fill(block);
+    // On a large screen the palette stays open.
+    const opener = page.getByRole('button', { name: 'Add block' });
+    if ((await opener.getAttribute('aria-expanded')) !== 'true') await opener.click();
+    await page.getByRole('searchbox', { name: 'Search blocks' }).fill(block);
     await page.getByRole('region', { name: 'Blocks to add' }).getByRole('listitem').getByRole('button').first().click();
   }
   const slider = page.getByRole('list', { name: 'Background layer' }).getByRole('slider').first();
