@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use inkpanel_engine::detect::Detectors;
-use inkpanel_engine::framing::Subject;
+use inkpanel_engine::framing::{Subject, subject_of};
 use inkpanel_engine::page::import::Imported;
 use std::path::Path;
 

@@ -14,7 +14,7 @@ mod seen;
 use std::path::{Path, PathBuf};
 
 use inkpanel_engine::detect::Detectors;
-use inkpanel_engine::framing::PhotoMeta;
+use inkpanel_engine::framing::{PhotoMeta, subject_of};
 use inkpanel_engine::layout::PageSettings;
 use inkpanel_engine::page::import::import;
 use inkpanel_engine::page::request::Request;

@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 use cuts::{avoidable, cuts};
 use inkpanel_engine::detect::Detectors;
-use inkpanel_engine::framing::{FACE, PhotoMeta, Subject, Target, frame};
+use inkpanel_engine::framing::{FACE, PhotoMeta, Subject, Target, frame, subject_of};
 use inkpanel_engine::page::import::import;
 use inkpanel_engine::raster::Image;
 use inkpanel_engine::raster::decode::Limits;

@@ -2,6 +2,7 @@
 //! durations, a shot without camera move is a single picture, and interrupted work resumes. Animated pages:
 //! each frame shows the active panel with the text that has appeared so far.
 
+use inkpanel_engine::document::listing::ordered_shots;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::framing::{Crop, FACE, Subject};
 use inkpanel_engine::native::{self, Photo, Photos};
@@ -55,7 +56,7 @@ const SMALL: [&str; 5] = ["--size", "160x90", "--seconds", "0.25", "--json"];
 
 #[test]
 fn there_are_as_many_frames_as_the_shots_are_long_and_still_ones_are_one_picture() {
-    let shots = shots(Saved::read(fs::read(project()).unwrap()).unwrap().unwrap().project()).len();
+    let shots = ordered_shots(Saved::read(fs::read(project()).unwrap()).unwrap().unwrap().project()).len();
     let folder = tempfile::tempdir().unwrap();
     let made = done(&animate(&project(), folder.path(), &[&SMALL[..], &["--still", "--fps", "24"]].concat()));
     let files = frames(folder.path());

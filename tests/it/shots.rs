@@ -2,6 +2,7 @@
 //! they match the saved project.
 
 use inkpanel_engine::document::file::ProjectFile;
+use inkpanel_engine::document::listing::shot_list;
 use inkpanel_engine::output::shots::timecode::{Pace, Rate, StartTimecode};
 use inkpanel_engine::output::shots::{Film, Kind, ListedShot, ShotList};
 use serde_json::{Value, json};

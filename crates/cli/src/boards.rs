@@ -2,6 +2,7 @@
 
 use crate::{CliError, report};
 use inkpanel::survived;
+use inkpanel_engine::document::listing::{ordered_shots, shot_list};
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::document::shots::{ASPECTS, logo_file};
 use inkpanel_engine::framing::Subject;
@@ -46,7 +47,7 @@ pub(crate) fn sheets(
     let aspect =
         ASPECTS.iter().find(|(name, _)| *name == board.aspect).map_or(16.0 / 9.0, |(_, aspect)| *aspect);
     let pictures = framed(&shown(saved)?, aspect, found)?;
-    let mut list = shot_list(project);
+    let mut list = shot_list(&project);
     if list.title.trim().is_empty() {
         title.clone_into(&mut list.title);
     }
@@ -83,7 +84,7 @@ pub(crate) struct ShotPhoto {
 /// # Errors
 /// A sentence for a photo that is not in the project, and for a project without shots.
 pub(crate) fn shown(saved: &mut Saved) -> Result<Vec<ShotPhoto>, CliError> {
-    let ids: Vec<String> = shots(saved.project()).into_iter().map(str::to_owned).collect();
+    let ids: Vec<String> = ordered_shots(saved.project()).into_iter().map(str::to_owned).collect();
     if ids.is_empty() {
         return Err("the project has no shots".into());
     }

@@ -9,6 +9,7 @@ use crate::masks::Masks;
 use crate::report::check_strict;
 use crate::{CliError, boards, plans, reading, report, strips};
 use inkpanel::survived;
+use inkpanel_engine::document::listing::shot_list;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::document::sheets::photos_on;
 use inkpanel_engine::framing::Subject;

@@ -6,7 +6,7 @@ use crate::format::Format;
 use crate::input::decode_file;
 use crate::masks::Masks;
 use crate::{CliError, detectors, drawing, report};
-use inkpanel_engine::framing::Subject;
+use inkpanel_engine::framing::{Subject, subject_of};
 use inkpanel_engine::native::{self, QUALITY};
 use inkpanel_engine::raster::Image;
 use inkpanel_engine::raster::resize::Region;

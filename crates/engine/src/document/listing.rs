@@ -35,7 +35,7 @@ fn said_in(page: &Document, panel: usize, kind: TextKind) -> Vec<String> {
 
 /// Ids of the photos that are shots, in order: photos in use or on a page.
 #[must_use]
-pub fn shots(file: &ProjectFile) -> Vec<&str> {
+pub fn ordered_shots(file: &ProjectFile) -> Vec<&str> {
     let present = &file.history.present;
     let sheets = present.sheets();
     let shown: HashSet<&str> = sheets
@@ -88,7 +88,7 @@ fn on_pages(file: &ProjectFile) -> HashMap<String, Shown> {
 #[must_use]
 pub fn shot_list(file: &ProjectFile) -> ShotList {
     let present = &file.history.present;
-    let ids = shots(file);
+    let ids = ordered_shots(file);
     let items: HashMap<&str, &TrayItem> =
         present.tray.iter().map(|item| (item.id.as_str(), item.as_ref())).collect();
     let items: Vec<&TrayItem> = ids.iter().filter_map(|id| items.get(id).copied()).collect();

@@ -8,6 +8,7 @@ use crate::commands::read_style;
 use crate::masks::Masks;
 use crate::{CliError, detectors, reopening, report};
 use inkpanel::survived;
+use inkpanel_engine::document::listing::shot_list;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::native;
 use inkpanel_engine::output::animatic::{Animatic, Clip, Picture, Request};
