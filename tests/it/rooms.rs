@@ -19,10 +19,10 @@ const CRATES: [&str; 7] = [
     "crates/cli/src",
 ];
 
-/// The modules from the lowest to the highest.
-const ROOMS: [&str; 11] = [
-    "kinds", "places", "texts", "select", "hearing", "framing", "plan", "page", "output", "document",
-    "native",
+/// The modules from the lowest to the highest. `json` and `layout` are modules of the model.
+const ROOMS: [&str; 13] = [
+    "json", "layout", "kinds", "places", "texts", "select", "hearing", "framing", "plan", "page", "output",
+    "document", "native",
 ];
 
 /// All files below a folder with one of these extensions.

@@ -866,7 +866,7 @@ export type Intent = { "type": "crop-panel",
   layout?: LayoutChoice | null,
   /** The style. Default: chosen automatically. */
   style?: StyleChoice | null,
-  /** Randomness of the choice, see `Request::surprise`(crate::page::request::Request::surprise). */
+  /** Randomness of the choice, as in a request for a page. */
   surprise?: number | null,
   /** Random choices. */
   draw: Draw,
