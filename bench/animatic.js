@@ -3,6 +3,7 @@
 
 import { statSync } from 'node:fs';
 
+import { chooseFormat, openExport } from '../tests/web/app/export-dialog.js';
 import { opened } from './opened.js';
 
 /** @typedef {import('playwright-core').Browser} Browser */
@@ -18,9 +19,8 @@ export async function animatic(browser, address, photos) {
   const page = await opened(browser, address, photos);
   const films = [];
   for (const kind of ['mp4', 'webm']) {
-    await page.getByRole('button', { name: 'Export', exact: true }).click();
-    const dialog = page.getByRole('dialog');
-    await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Animatic' });
+    const dialog = await openExport(page);
+    await chooseFormat(dialog, 'animatic');
     await dialog.getByRole('combobox', { name: 'File' }).selectOption(kind);
     const save = dialog.getByRole('button', { name: 'Download' });
     await page.waitForFunction(() =>

@@ -1,7 +1,6 @@
 // @ts-check
 /**
- * A large album: time to its first page, to the end of the import, and to the end of detection, and the memory of the
- * tab.
+ * A large album: time to its first page and to the end of the import, long tasks meanwhile, and the memory of the tab.
  */
 
 import { readFileSync } from 'node:fs';
@@ -12,10 +11,10 @@ import { readFileSync } from 'node:fs';
  * @param {Browser} browser
  * @param {string} address of the site
  * @param {string[]} photos paths
- * @returns {Promise<{ photos: number, first: number, read: number, found: number, longest: number, long: number, memory: number | null }>}
- *   milliseconds from choosing the files: `first` to the first page, `read` to the end of the import, `found` to the end
- *   of detection. `longest`: the longest task of the main thread. `long`: number of tasks longer than 50 ms. `memory`:
- *   peak memory of the tab's process in bytes, only on Linux.
+ * @returns {Promise<{ photos: number, first: number, read: number, longest: number, long: number, memory: number | null }>}
+ *   milliseconds from choosing the files: `first` to the first page, `read` to the end of the import. Until then, `longest`:
+ *   the longest task of the main thread, `long`: number of tasks longer than 50 ms, `memory`: peak memory of the tab's process
+ *   in bytes, only on Linux.
  */
 export async function crowd(browser, address, photos) {
   const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, serviceWorkers: 'block' });
@@ -39,7 +38,7 @@ export async function crowd(browser, address, photos) {
       { capture: true, once: true },
     );
   });
-  /** Milliseconds until the body has this flag. @param {'drawn' | 'idle' | 'detected'} flag */
+  /** Milliseconds until the body has this flag. @param {'drawn' | 'idle'} flag */
   const since = async (flag) => {
     const handle = await page.waitForFunction(
       (name) => {
@@ -56,11 +55,10 @@ export async function crowd(browser, address, photos) {
   await page.waitForFunction(() => document.body.dataset.idle !== 'true');
   const first = await since('drawn');
   const read = await since('idle');
-  const found = await since('detected');
   const tasks = /** @type {number[]} */ (await page.evaluate(() => /** @type {any} */ (globalThis).tasks));
   const memory = await peak(browser);
   await page.close();
-  return { photos: photos.length, first, read, found, longest: Math.max(0, ...tasks), long: tasks.length, memory };
+  return { photos: photos.length, first, read, longest: Math.max(0, ...tasks), long: tasks.length, memory };
 }
 
 /**

@@ -5,6 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { chooseFormat, openExport } from '../tests/web/app/export-dialog.js';
 import { opened } from './opened.js';
 
 /** @typedef {{ style: string, pictures: number, ms: number, width: number, height: number }} Loop */
@@ -34,9 +35,7 @@ export async function living(browser, address, photo) {
   for (const style of [STYLES[2], ...STYLES]) {
     await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: style, exact: true }).click();
     await page.waitForFunction(() => document.body.dataset.idle === 'true');
-    await page.getByRole('button', { name: 'Export', exact: true }).click();
-    const dialog = page.getByRole('dialog');
-    await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Animatic' });
+    await chooseFormat(await openExport(page), 'animatic');
     await page.waitForFunction(() => document.querySelector('.animatic canvas')?.hasAttribute('data-shown'));
     const start = Date.now();
     await page.waitForFunction(() => document.querySelector('.animatic canvas')?.hasAttribute('data-moving'));

@@ -7,6 +7,8 @@ import { median, opened, shuffled } from './journey.js';
 
 /** Shuffles once all masks are there, and milliseconds between two. */
 const SHUFFLES = 25;
+/** Masks wait for shuffles, so that they would never end. */
+const MOST = 60;
 const PAUSE = 400;
 /** First pages of either kind. */
 const OPENINGS = 3;
@@ -26,7 +28,7 @@ export async function masking(browser, address, photos) {
     page.evaluate((key) => document.body.dataset[key] === 'true', name);
   await page.waitForFunction(() => document.body.dataset.detected === 'true', null, { timeout: 300_000 });
   const [during, after] = [/** @type {number[]} */ ([]), /** @type {number[]} */ ([])];
-  while (!(await flag('masked'))) {
+  while (during.length < MOST && !(await flag('masked'))) {
     during.push(await shuffled(page));
     await page.waitForTimeout(PAUSE);
   }

@@ -136,11 +136,10 @@ export function markdown({
     );
   }
   if (crowd) {
-    const { photos, first, read, found, longest, long, memory } = crowd;
+    const { photos, first, read, longest, long, memory } = crowd;
     lines.push(
       `| ${photos} photos of twelve megapixels: first page | ${(first / 1000).toFixed(2)} s |`,
       `| ${photos} photos: all read and the page drawn | ${(read / 1000).toFixed(1)} s |`,
-      `| ${photos} photos: face and object detection complete | ${(found / 1000).toFixed(1)} s |`,
       `| ${photos} photos: longest main-thread task (number of tasks above 50 ms) | ${Math.round(longest)} ms (${long}) |`,
       ...peakOf(`${photos} photos`, memory),
     );

@@ -32,8 +32,8 @@ const PEERS = {
 
 /** Number of photos of an afternoon and of a holiday. */
 const [FEW, MANY] = [12, 300];
-/** Duration in minutes of an episode of a series and of a long film. */
-const MINUTES = [30, 120];
+/** Duration of a film in minutes. */
+const MINUTES = 30;
 
 const { values: options, positionals: filter } = parseArgs({
   allowPositionals: true,
@@ -65,13 +65,9 @@ try {
     results.crowd = await site((address) => crowd(browser, address, files));
   });
   await part('films', 'films', async () => {
-    const footage = [];
-    for (const minutes of MINUTES) {
-      const film = makeFilm(album, join(options.target, 'bench/films'), minutes);
-      const read = await site((address) => crowd(browser, address, [film]));
-      footage.push({ minutes, ...read });
-    }
-    results.footage = footage;
+    const film = makeFilm(album, join(options.target, 'bench/films'), MINUTES);
+    const read = await site((address) => crowd(browser, address, [film]));
+    results.footage = [{ minutes: MINUTES, ...read }];
   });
   await part('making', 'styles in the making', async () => {
     const files = await photos(FEW);
