@@ -3,7 +3,7 @@
 use crate::destination::Output;
 use crate::drawing::{Means, Subjects};
 use crate::format::ComicFormat;
-use crate::{CliError, drawing, report};
+use crate::{CliError, drawing};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use inkpanel_engine::output::describing::described;
@@ -70,7 +70,7 @@ fn made(
         pictures.push(drawing::jpeg_of(page, means)?);
         if pages.len() > 1 {
             let event = json!({ "event": "page", "page": i + 1, "of": pages.len() });
-            report::step(&event, Some(format!("page {} of {}", i + 1, pages.len())));
+            means.run.report.step(&event, Some(format!("page {} of {}", i + 1, pages.len())));
         }
     }
     match told {
