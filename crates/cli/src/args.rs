@@ -5,6 +5,7 @@ use crate::commands::read_style;
 use crate::drawing;
 use crate::paper::Paper;
 use crate::photos::{BY_CONTRAST, Photos};
+use crate::run::Run;
 use clap::builder::PossibleValuesParser;
 use inkpanel::PageOptions;
 use inkpanel_engine::layout::PageSettings;
@@ -90,11 +91,11 @@ pub(crate) struct Chosen {
 
 impl Chosen {
     /// The options of pages with these settings.
-    pub(crate) fn options(&self, page: PageSettings) -> Result<PageOptions, CliError> {
+    pub(crate) fn options(&self, run: &Run, page: PageSettings) -> Result<PageOptions, CliError> {
         let mut options = PageOptions::new().settings(page).style_families(&self.style_family);
         options = options.keep_all(self.keep_all).as_given(self.as_given);
         if let Some(style) = &self.style {
-            options = options.style(&inkpanel::Style::new(read_style(style)?));
+            options = options.style(&inkpanel::Style::new(read_style(run, style)?));
         }
         if let Some(seed) = self.seed {
             options = options.seed(seed);
@@ -106,7 +107,7 @@ impl Chosen {
     }
     /// Detects faces and subjects, if that is wanted, and marks the starred photos. Returns whether the models were
     /// available.
-    pub(crate) fn prepare(&self, photos: &mut Photos) -> bool {
+    pub(crate) fn prepare(&self, photos: &mut Photos<'_>) -> bool {
         let looked = !self.no_detect && photos.add_subjects(self.models.as_deref(), BY_CONTRAST);
         photos.star(&self.star);
         looked

@@ -1,6 +1,7 @@
 //! Boards of saved projects on the command line: their shots as lists, and as sheets of frames.
 
-use crate::{CliError, report};
+use crate::CliError;
+use crate::run::Run;
 use inkpanel::survived;
 use inkpanel_engine::document::listing::{ordered_shots, shot_list};
 use inkpanel_engine::document::saved::Saved;
@@ -22,11 +23,11 @@ pub(crate) const LOGO: &str = "board/logo";
 ///
 /// # Errors
 /// A sentence for one that cannot be read.
-pub(crate) fn logo(saved: &Saved) -> Result<Option<Image>, CliError> {
+pub(crate) fn logo(run: &Run, saved: &Saved) -> Result<Option<Image>, CliError> {
     let Some(file) = logo_file(&saved.project().history.present.board.logo) else { return Ok(None) };
     let decoded = survived(|| Ok(decode(&file, &Limits::default())?))
         .map_err(|error: CliError| error.at("the logo of the board"))?;
-    report::damage("the logo of the board", decoded.damage);
+    run.report.damage("the logo of the board", decoded.damage);
     Ok(Some(decoded.image))
 }
 

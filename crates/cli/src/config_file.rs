@@ -1,6 +1,6 @@
 //! Settings of `render` and `book` in a file. Each setting has the name of an option. The command line takes precedence.
 
-use crate::{CliError, input};
+use crate::{CliError, input, run};
 use clap::{Arg, Command, CommandFactory};
 use serde_json::{Map, Value};
 use std::any::TypeId;
@@ -54,7 +54,8 @@ fn read(file: &Path) -> Result<Map<String, Value>, CliError> {
     if about.len() > MOST {
         return Err(CliError::new("too-large", format!("is larger than {MOST} bytes")));
     }
-    let text = input::text(file)?;
+    let bytes = std::fs::read(file).map_err(|error| CliError::reading(&error))?;
+    let text = run::unicode(&bytes)?;
     let is_json = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     let value: Value = if is_json {
         serde_json::from_str(&text).map_err(|error| format!("not valid JSON: {error}"))?

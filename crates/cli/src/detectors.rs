@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use inkpanel_engine::detect::{Aesthetics, Detection, Detectors, Segmenter};
 use inkpanel_engine::native;
@@ -12,7 +12,9 @@ use inkpanel_engine::style::Style;
 use inkpanel_engine::style::painters::Painters;
 use serde_json::{Value, json};
 
-use crate::{CliError, report};
+use crate::CliError;
+use crate::report::Report;
+use crate::run::Run;
 
 /// Reads the models from `folder`, or from the default folder. The landmark model is optional.
 pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, CliError> {
@@ -59,7 +61,7 @@ fn missing(models: &str, it: &str, its: &str) -> CliError {
 }
 
 /// Reads the model of the block Painter from the default folder. Prints why it is missing, and returns `None`.
-pub(crate) fn load_painters() -> Option<Arc<Painters>> {
+fn load_painters(report: &Report) -> Option<Arc<Painters>> {
     let file = find().map(|folder| folder.join("painters.onnx"));
     let read = || {
         let onnx = file.and_then(|file| std::fs::read(file).ok());
@@ -69,29 +71,31 @@ pub(crate) fn load_painters() -> Option<Arc<Painters>> {
     match read() {
         Ok(painters) => Some(Arc::new(painters)),
         Err(complaint) => {
-            report::note(Some("painters.onnx"), &format!("{complaint}; the block Painter changes nothing"));
+            report.note(Some("painters.onnx"), &format!("{complaint}; the block Painter changes nothing"));
             None
         }
     }
 }
 
-/// Id of the model of `--painters`, as references in styles have it.
-static GIVEN: OnceLock<String> = OnceLock::new();
-
-/// Uses a model of the user for the block Painter.
-pub(crate) fn use_painters(file: &Path) -> Result<(), CliError> {
+/// Sets the model of the block Painter: a file of the user, or the model of the default folder.
+pub(crate) fn set_painters(run: &mut Run, file: Option<&Path>) -> Result<(), CliError> {
+    let Some(file) = file else {
+        let report = run.report.clone();
+        native::read_painters_with(move || load_painters(&report));
+        return Ok(());
+    };
     let onnx = std::fs::read(file).map_err(|error| CliError::reading(&error).at(file.display()))?;
     let painters = Painters::new(&onnx).map_err(|error| CliError::from(error).at(file.display()))?;
     // As in `www/painters/own-painters.ts`: the CRC-32 of the file, and its length in bytes.
-    let _ = GIVEN.set(format!("{:08x}{:08x}", crc32fast::hash(&onnx), onnx.len()));
+    run.painters = Some(format!("{:08x}{:08x}", crc32fast::hash(&onnx), onnx.len()));
     let painters = Arc::new(painters);
     native::read_painters_with(move || Some(painters.clone()));
     Ok(())
 }
 
 /// Warns about models that styles name, if the Painter uses another model.
-pub(crate) fn warn_about_models<'s>(styles: impl IntoIterator<Item = &'s Style>) {
-    let given = GIVEN.get();
+pub(crate) fn warn_about_models<'s>(run: &Run, styles: impl IntoIterator<Item = &'s Style>) {
+    let given = run.painters.as_ref();
     let painted = match given {
         Some(_) => "the file of --painters",
         None => "the built-in model",
@@ -99,7 +103,8 @@ pub(crate) fn warn_about_models<'s>(styles: impl IntoIterator<Item = &'s Style>)
     let named: BTreeSet<&str> = styles.into_iter().flat_map(Style::models).collect();
     for (id, file) in named.into_iter().filter_map(|reference| reference.split_once(' ')) {
         if given.is_none_or(|given| given != id) {
-            report::note(Some(file), &format!("a style names this model of painters; {painted} replaces it"));
+            run.report
+                .note(Some(file), &format!("a style names this model of painters; {painted} replaces it"));
         }
     }
 }

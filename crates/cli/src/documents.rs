@@ -5,7 +5,7 @@ use crate::destination::{Output, write};
 use crate::format::Format;
 use crate::input::{decode_file, name};
 use crate::masks::Masks;
-use crate::report::{check_strict, done};
+use crate::run::Run;
 use crate::{CliError, drawing, plans, reading};
 use inkpanel::with_names;
 use inkpanel_engine::document::sheets::photos_on;
@@ -44,9 +44,15 @@ pub(crate) fn save(
 ///
 /// # Errors
 /// A sentence, if the file is not a page, or a photo is neither in `files` nor next to the file.
-pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -> Result<(), CliError> {
+pub(crate) fn draw(
+    run: &Run,
+    file: &Path,
+    files: &[PathBuf],
+    output: &Output,
+    how: &How,
+) -> Result<(), CliError> {
     let complain = |error: CliError| error.at(file.display());
-    let pages = read(file).map_err(complain)?;
+    let pages = read(run, file).map_err(complain)?;
     let shown: Vec<&Document> = pages.iter().collect();
     let mut paths: HashMap<String, PathBuf> = HashMap::new();
     for photo in photos_on(&shown) {
@@ -56,39 +62,39 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
         })?;
         paths.insert(photo.to_owned(), path);
     }
-    let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
-    let fonts = how.printing.fonts()?;
-    let masks = Masks::default();
+    let full = |id: &str| paths.get(id).map(|path| decode_file(run, path)).transpose();
+    let fonts = how.printing.fonts(run)?;
+    let masks = Masks::new(run, HashMap::new(), None);
     let means = how.printing.means(&full, &fonts, &masks);
-    drawing::tell_missing(&pages, &fonts)?;
+    drawing::tell_missing(run, &pages, &fonts)?;
     if how.strict {
         // Damage is reported before anything is written. Errors are reported again when the photo is drawn.
         for path in paths.values() {
-            drop(decode_file(path));
+            drop(decode_file(run, path));
         }
     }
-    check_strict(how.strict)?;
+    run.report.check_strict(how.strict)?;
     if let Format::Comic(kind) = Format::of(&output.named)? {
         let title = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
         let told = reading::Telling { title: &title, language: how.printing.language() };
-        return done(&reading::write((kind, told), &pages, &|_| &[], &means, output)?);
+        return run.report.done(&reading::write((kind, told), &pages, &|_| &[], &means, output)?);
     }
     if let [page] = &pages[..]
         && Format::of(&output.named)? != Format::Pdf
     {
         output.write(&drawing::draw(page, &means, &output.named)?)?;
-        return done(std::slice::from_ref(&output.path));
+        return run.report.done(std::slice::from_ref(&output.path));
     }
     let files = plans::Files {
         skips: how.skip_existing,
         finish: &|_, file| Ok(file),
         printed: (&how.printing, &|_| &[]),
     };
-    done(&plans::draw_all(&pages, &means, output, &files)?)
+    run.report.done(&plans::draw_all(&pages, &means, output, &files)?)
 }
 
-fn read(file: &Path) -> Result<Vec<Document>, CliError> {
-    let text = crate::input::text(file)?;
+fn read(run: &Run, file: &Path) -> Result<Vec<Document>, CliError> {
+    let text = run.text(file)?;
     if text.len() as u64 > MOST {
         return Err(CliError::new("too-large", format!("is larger than {} MB", MOST >> 20)));
     }

@@ -2,10 +2,11 @@
 
 use crate::destination::{Output, write};
 use crate::format::Format;
-use crate::input::{self, is_standard};
+use crate::input::is_standard;
 use crate::masks::Masks;
 use crate::photos::Photos;
-use crate::{CliError, detectors, language, own_pages, report};
+use crate::run::Run;
+use crate::{CliError, detectors, language, own_pages};
 use inkpanel_engine::framing::Subject;
 use inkpanel_engine::layout::{self, PagePreset, PaperSize};
 use inkpanel_engine::native::{self, QUALITY, alts};
@@ -25,11 +26,11 @@ use std::path::{Path, PathBuf};
 pub(crate) fn add_words(
     document: &mut Document,
     file: &Path,
-    photos: &Photos,
+    photos: &Photos<'_>,
     fonts: &GivenFonts,
 ) -> Result<(), CliError> {
     let complain = |error: CliError| error.at(file.display());
-    let json = input::text(file).map_err(complain)?;
+    let json = photos.run.text(file).map_err(complain)?;
     let words = TextItem::read_all(&json).map_err(|error| complain(error.into()))?;
     let known = |id: &str| photos.find(id).map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default();
     let letters = fonts.letters(&words).map_err(|error| complain(error.into()))?;
@@ -37,14 +38,14 @@ pub(crate) fn add_words(
 }
 
 /// Warns about characters without a glyph, and about models of painters that are named but not used.
-pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(), CliError> {
+pub(crate) fn tell_missing(run: &Run, pages: &[Document], fonts: &GivenFonts) -> Result<(), CliError> {
     let styles = pages.iter().map(Document::style).collect::<Result<Vec<_>, _>>()?;
-    detectors::warn_about_models(styles.iter().map(AsRef::as_ref));
+    detectors::warn_about_models(run, styles.iter().map(AsRef::as_ref));
     let words = || pages.iter().flat_map(|page| &page.words);
     let letters = fonts.letters(words())?;
     let missing = given::missing(&letters, words());
     if !missing.is_empty() {
-        report::note(
+        run.report.note(
             None,
             &format!(
                 "no font has these characters, so they become question marks: {} (add a font with --font)",
@@ -64,9 +65,10 @@ pub(crate) type FullPhotos<'p> = dyn Fn(&str) -> Result<Option<Image>, CliError>
 /// Resources to draw pages.
 #[derive(Clone, Copy)]
 pub(crate) struct Means<'p> {
+    pub(crate) run: &'p Run,
     pub(crate) photos: &'p FullPhotos<'p>,
     pub(crate) fonts: &'p GivenFonts,
-    pub(crate) masks: &'p Masks,
+    pub(crate) masks: &'p Masks<'p>,
     /// JPEG quality, from 1 to 100.
     pub(crate) quality: u8,
     /// Whether coarse photos are enlarged well.
@@ -83,7 +85,7 @@ fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native:
             |id: &str| photos.get(id).map(|photo| (photo.image.width() as u32, photo.image.height() as u32));
         for (panel, dpi) in native::coarse(&page, &size)? {
             let event = json!({ "event": "enlarged", "panel": panel + 1, "dpi": dpi });
-            report::step(&event, Some(format!("panel {}: enlarged from {dpi} dpi", panel + 1)));
+            means.run.report.step(&event, Some(format!("panel {}: enlarged from {dpi} dpi", panel + 1)));
         }
     }
     Ok((page, photos))
@@ -197,11 +199,11 @@ fn sheet(text: &str) -> Result<[f64; 2], String> {
 ///
 /// # Errors
 /// A sentence with the name of a file that is not a font or is too large.
-pub(crate) fn fonts(files: &[PathBuf]) -> Result<GivenFonts, CliError> {
+pub(crate) fn fonts(run: &Run, files: &[PathBuf]) -> Result<GivenFonts, CliError> {
     let mut fonts = GivenFonts::default();
     for path in files {
         let complain = |error: CliError| error.at(path.display());
-        let file = input::read(path).map_err(complain)?;
+        let file = run.read(path).map_err(complain)?;
         fonts.add(file).map_err(|reason| complain(reason.into()))?;
     }
     Ok(fonts)
@@ -232,8 +234,8 @@ impl Printing {
     ///
     /// # Errors
     /// A sentence with the name of a file that is not a font or is too large.
-    pub(crate) fn fonts(&self) -> Result<GivenFonts, CliError> {
-        fonts(&self.font)
+    pub(crate) fn fonts(&self, run: &Run) -> Result<GivenFonts, CliError> {
+        fonts(run, &self.font)
     }
 
     /// Resources to draw pages.
@@ -241,9 +243,9 @@ impl Printing {
         &self,
         photos: &'m FullPhotos<'m>,
         fonts: &'m GivenFonts,
-        masks: &'m Masks,
+        masks: &'m Masks<'m>,
     ) -> Means<'m> {
-        Means { photos, fonts, masks, quality: self.quality(), enlarges: self.enlarge }
+        Means { run: masks.run, photos, fonts, masks, quality: self.quality(), enlarges: self.enlarge }
     }
 
     /// Returns the requested quality.

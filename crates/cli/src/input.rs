@@ -1,19 +1,18 @@
 //! Photo sources of the command line: files, folders as albums, and standard input.
 
-use crate::{CliError, own_pages, report};
+use crate::report::Report;
+use crate::run::Run;
+use crate::{CliError, own_pages};
 use inkpanel::survived;
 use inkpanel_engine::kinds::clearer;
 use inkpanel_engine::kinds::{self, Role};
 use inkpanel_engine::raster::Image;
 use inkpanel_engine::raster::decode::{Limits, decode_fit};
-use inkpanel_engine::texts;
 use serde_json::json;
 use std::cmp::Ordering;
 use std::collections::HashSet;
 use std::ffi::{OsStr, OsString};
-use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
 
 /// Name of standard input and standard output.
 pub(crate) const STANDARD: &str = "-";
@@ -21,8 +20,6 @@ pub(crate) const STANDARD: &str = "-";
 const DEEPEST: usize = 8;
 /// Files that one run takes, more than an album has: a folder may be a whole disk.
 const MOST_FILES: usize = 100_000;
-/// Bytes that are taken from standard input.
-const MOST_INPUT: u64 = 1 << 30;
 
 /// Whether a path is standard input or output.
 pub(crate) fn is_standard(path: &Path) -> bool {
@@ -34,35 +31,9 @@ pub(crate) fn told(path: &Path) -> String {
     if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() }
 }
 
-/// Reads a file, or standard input, which is read once and kept.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>, CliError> {
-    static INPUT: OnceLock<Result<Vec<u8>, CliError>> = OnceLock::new();
-    if !is_standard(path) {
-        return std::fs::read(path).map_err(|error| CliError::reading(&error));
-    }
-    let input = || {
-        let mut bytes = Vec::new();
-        let mut input = std::io::stdin().lock().take(MOST_INPUT + 1);
-        input.read_to_end(&mut bytes).map_err(|error| CliError::reading(&error))?;
-        if bytes.len() as u64 > MOST_INPUT {
-            return Err(CliError::new("too-large", format!("is larger than {} MB", MOST_INPUT >> 20)));
-        }
-        Ok(bytes)
-    };
-    INPUT.get_or_init(input).clone()
-}
-
-/// Reads a file of JSON or TOML, or standard input: UTF-8 or UTF-16, with or without the byte order mark that editors on
-/// Windows write.
-pub(crate) fn text(path: &Path) -> Result<String, CliError> {
-    let bytes = read(path)?;
-    let text = texts::unicode(&bytes).map_err(|reason| format!("is not JSON or TOML: {reason}"))?;
-    Ok(text.into_owned())
-}
-
 /// Lists the files: for a folder, its photos and the photos in its subfolders, in natural order. Other files of a folder are
 /// counted; videos and kinds that cannot be read are named.
-pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
+pub(crate) fn files(run: &Run, given: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
     if given.iter().filter(|path| is_standard(path)).count() > 1 {
         return Err("standard input (-) can be read only once".into());
     }
@@ -74,8 +45,8 @@ pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
         }
         let mut found = Found::default();
         walk(path, 0, &mut found).map_err(|error| error.at(path.display()))?;
-        found.tell(path);
-        leave_own_pages(&mut found.photos);
+        found.tell(path, &run.report);
+        leave_own_pages(&mut found.photos, &run.report);
         if found.photos.is_empty() {
             return Err(CliError::new("no-photos", "the folder contains no pictures").at(path.display()));
         }
@@ -88,7 +59,7 @@ pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
 }
 
 /// Leaves out the pages that an earlier run wrote into a folder, unless the folder has nothing else.
-fn leave_own_pages(files: &mut Vec<PathBuf>) {
+fn leave_own_pages(files: &mut Vec<PathBuf>, report: &Report) {
     let (pages, photos): (Vec<PathBuf>, Vec<PathBuf>) =
         files.drain(..).partition(|path| own_pages::is_page(path));
     if photos.is_empty() {
@@ -99,7 +70,7 @@ fn leave_own_pages(files: &mut Vec<PathBuf>) {
     for page in pages {
         let why = "left out: a page that Inkpanel wrote";
         let event = json!({ "event": "left-out", "file": page.display().to_string(), "message": why });
-        report::step(&event, Some(format!("{}: {why}", page.display())));
+        report.step(&event, Some(format!("{}: {why}", page.display())));
     }
 }
 
@@ -118,9 +89,9 @@ struct Found {
 }
 
 impl Found {
-    fn tell(&self, folder: &Path) {
+    fn tell(&self, folder: &Path, report: &Report) {
         for (path, why) in &self.named {
-            report::note(Some(&path.display().to_string()), &format!("{why}; left out"));
+            report.note(Some(&path.display().to_string()), &format!("{why}; left out"));
         }
         if self.sidecars + self.live + self.others == 0 {
             return;
@@ -135,7 +106,7 @@ impl Found {
         let live =
             (self.live > 0).then(|| format!("{} of Live Photos with the name of a photo", videos(self.live)));
         let skipped: Vec<_> = of_systems.into_iter().chain(live).chain(others).collect();
-        report::step(&event, Some(format!("{folder}: skipped {}", skipped.join(", "))));
+        report.step(&event, Some(format!("{folder}: skipped {}", skipped.join(", "))));
     }
 }
 
@@ -228,19 +199,19 @@ fn number(text: &mut std::iter::Peekable<std::str::Chars<'_>>) -> String {
     digits
 }
 
-pub(crate) fn decode_file(path: &Path) -> Result<Image, CliError> {
-    decode_file_fit(path, usize::MAX)
+pub(crate) fn decode_file(run: &Run, path: &Path) -> Result<Image, CliError> {
+    decode_file_fit(run, path, usize::MAX)
 }
 
-pub(crate) fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, CliError> {
+pub(crate) fn decode_file_fit(run: &Run, path: &Path, longest: usize) -> Result<Image, CliError> {
     let complain = |error: CliError| error.at(told(path));
-    let bytes = read(path).map_err(complain)?;
+    let bytes = run.read(path).map_err(complain)?;
     let decode = || {
         let decoded = decode_fit(&bytes, &Limits::default(), longest);
         Ok(decoded.map_err(|error| clearer(error, name(path), &bytes))?)
     };
     let decoded = survived(decode).map_err(complain)?;
-    report::damage(&told(path), decoded.damage);
+    run.report.damage(&told(path), decoded.damage);
     Ok(decoded.image)
 }
 
@@ -261,13 +232,14 @@ mod tests {
 
     #[test]
     fn a_folder_is_its_pictures_and_those_of_its_folders() {
+        let run = Run::new(Report::new(false));
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         std::fs::create_dir_all(at("b/c")).unwrap();
         for file in ["2.jpg", "10.PNG", "b/c/x.webp", "b/notes.txt", ".hidden.jpg"] {
             std::fs::write(at(file), "").unwrap();
         }
-        let found = files(&[folder.path().to_owned()]).unwrap();
+        let found = files(&run, &[folder.path().to_owned()]).unwrap();
         assert_eq!(found, ["2.jpg", "10.PNG", "b/c/x.webp"].map(at));
         // A name that is not UTF-8 keeps its extension.
         #[cfg(unix)]
@@ -277,10 +249,12 @@ mod tests {
             std::fs::create_dir(&odd).unwrap();
             let file = odd.join(std::ffi::OsStr::from_bytes(b"\x82\xa0.JFIF"));
             std::fs::write(&file, "").unwrap();
-            assert_eq!(files(&[odd]).unwrap(), [file]);
+            assert_eq!(files(&run, &[odd]).unwrap(), [file]);
         }
         std::fs::create_dir(at("empty")).unwrap();
-        assert!(files(&[at("empty")]).unwrap_err().to_string().contains("the folder contains no pictures"));
-        assert!(files(&["-".into(), "-".into()]).unwrap_err().to_string().contains("only once"));
+        assert!(
+            files(&run, &[at("empty")]).unwrap_err().to_string().contains("the folder contains no pictures")
+        );
+        assert!(files(&run, &["-".into(), "-".into()]).unwrap_err().to_string().contains("only once"));
     }
 }

@@ -26,11 +26,11 @@ mod projects;
 mod reading;
 mod reopening;
 mod report;
+mod run;
 mod strips;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
-use inkpanel_engine::native;
 use inkpanel_engine::page::catalogue;
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -39,6 +39,8 @@ use std::process::ExitCode;
 use cli_error::CliError;
 use commands::{animate, book, detect, generate, imitate, render, segment, select, shots, stylize};
 use destination::list;
+use report::Report;
+use run::Run;
 
 /// Turn photos into stylised comic pages and storyboards.
 #[derive(Parser)]
@@ -112,24 +114,23 @@ const USAGE: u8 = 2;
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().collect();
-    if wants_json(&arguments) {
-        report::as_json();
-    }
+    let mut report = Report::new(wants_json(&arguments));
     let (arguments, listed) = match config_file::expanded::<Cli>(arguments) {
         Ok(expanded) => expanded,
-        Err(error) => return failed(&error, USAGE),
+        Err(error) => return failed(&report, &error, USAGE),
     };
-    if wants_json(&arguments) {
-        report::as_json();
-    }
+    // The settings may ask for JSON as well.
+    report.json = wants_json(&arguments);
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
-        Err(error) => return wrong_usage(&error),
+        Err(error) => return wrong_usage(&report, &error),
     };
-    native::read_painters_with(detectors::load_painters);
-    if let Some(Err(error)) = cli.painters.as_deref().map(detectors::use_painters) {
-        return failed(&error, 1);
+    report.json |= matches!(&cli.command, Command::Animate(animate) if animate.json);
+    let mut run = Run::new(report);
+    if let Err(error) = detectors::set_painters(&mut run, cli.painters.as_deref()) {
+        return failed(&run.report, &error, 1);
     }
+    let run = &run;
     let done = match cli.command {
         Command::Render(mut render) => {
             if render.files.is_empty() {
@@ -137,54 +138,57 @@ fn main() -> ExitCode {
             }
             if render.files.is_empty() && render.document.is_none() {
                 let why = "no photos and no saved project given";
-                return wrong_usage(&Cli::command().error(ErrorKind::MissingRequiredArgument, why));
+                return wrong_usage(
+                    &run.report,
+                    &Cli::command().error(ErrorKind::MissingRequiredArgument, why),
+                );
             }
-            render::render(&render)
+            render::render(run, &render)
         }
         Command::Book(mut book) => {
             if book.files.is_empty() {
                 book.files = listed;
             }
-            book::make(&book)
+            book::make(run, &book)
         }
-        Command::Score(score) => plans::score(&score),
-        Command::Stylize(stylize) => stylize::stylize_photo(&stylize),
-        Command::Select(select) => select::select_photos(&select),
-        Command::Detect(detect) => detect::detect_photos(&detect),
-        Command::Segment(segment) => segment::segment(&segment),
+        Command::Score(score) => plans::score(run, &score),
+        Command::Stylize(stylize) => stylize::stylize_photo(run, &stylize),
+        Command::Select(select) => select::select_photos(run, &select),
+        Command::Detect(detect) => detect::detect_photos(run, &detect),
+        Command::Segment(segment) => segment::segment(run, &segment),
         Command::Generate(generate) => {
-            generate::invent(&generate).and_then(|styles| list(&styles, generate.json))
+            generate::invent(run, &generate).and_then(|styles| list(&styles, generate.json))
         }
         Command::Imitate(imitate) => {
-            imitate::imitate(&imitate).and_then(|styles| list(&styles, imitate.json))
+            imitate::imitate(run, &imitate).and_then(|styles| list(&styles, imitate.json))
         }
-        Command::Animate(animate) => animate::animate(&animate),
-        Command::Shots(shots) => shots::shots_of(&shots),
+        Command::Animate(animate) => animate::animate(run, &animate),
+        Command::Shots(shots) => shots::shots_of(run, &shots),
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),
         Command::Styles(listing) => list(&catalogue::styles(), listing.json),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(error) => failed(&error, 1),
+        Err(error) => failed(&run.report, &error, 1),
     }
 }
 
 /// Reports an error.
-fn failed(error: &CliError, code: u8) -> ExitCode {
-    report::failure(error);
+fn failed(report: &Report, error: &CliError, code: u8) -> ExitCode {
+    report.failure(error);
     ExitCode::from(code)
 }
 
 /// Reports an error of the argument parser, or prints the requested help.
-fn wrong_usage(error: &clap::Error) -> ExitCode {
-    if !(report::is_json() && error.use_stderr()) {
+fn wrong_usage(report: &Report, error: &clap::Error) -> ExitCode {
+    if !(report.json && error.use_stderr()) {
         error.exit();
     }
     let text = error.render().to_string();
     let lines: Vec<&str> = text.lines().map(str::trim).take_while(|line| !line.is_empty()).collect();
     let message = lines.join(" ");
-    failed(&message.strip_prefix("error: ").unwrap_or(&message).into(), USAGE)
+    failed(report, &message.strip_prefix("error: ").unwrap_or(&message).into(), USAGE)
 }
 
 /// Whether the arguments ask for progress as JSON. Errors of the arguments follow the format as well.

@@ -9,12 +9,13 @@ use inkpanel_engine::page::Document;
 use inkpanel_engine::raster::{Image, Matte};
 use inkpanel_engine::style::Style;
 
-use crate::{detectors, report};
+use crate::detectors;
+use crate::run::Run;
 
 /// Subject masks for styles that need them: known masks by id, and detected ones. The model is loaded for the
 /// first detection. Without the model the whole photo is the subject, with one warning.
-#[derive(Default)]
-pub(crate) struct Masks {
+pub(crate) struct Masks<'r> {
+    pub(crate) run: &'r Run,
     pub(crate) known: HashMap<String, Matte>,
     pub(crate) models: Option<PathBuf>,
     /// Without detection.
@@ -22,10 +23,10 @@ pub(crate) struct Masks {
     net: OnceLock<Option<Segmenter>>,
 }
 
-impl Masks {
+impl<'r> Masks<'r> {
     /// Searches the model in a folder, if given.
-    pub(crate) fn new(known: HashMap<String, Matte>, models: Option<&Path>) -> Self {
-        Self { known, models: models.map(Path::to_path_buf), ..Self::default() }
+    pub(crate) fn new(run: &'r Run, known: HashMap<String, Matte>, models: Option<&Path>) -> Self {
+        Self { run, known, models: models.map(Path::to_path_buf), blind: false, net: OnceLock::new() }
     }
 
     /// Disables detection if `detect` is false: the whole photo is the subject if its mask is unknown.
@@ -59,11 +60,11 @@ impl Masks {
         let load = || match detectors::load_segmenter(self.models.as_deref()) {
             Ok(net) => Some(net),
             Err(why) => {
-                report::note(None, &format!("{why}; the whole photo counts as the subject"));
+                self.run.report.note(None, &format!("{why}; the whole photo counts as the subject"));
                 None
             }
         };
         let looked = self.net.get_or_init(load).as_ref()?.look(photo);
-        looked.map_err(|error| report::note(None, &error.to_string())).ok()
+        looked.map_err(|error| self.run.report.note(None, &error.to_string())).ok()
     }
 }

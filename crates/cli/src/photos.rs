@@ -1,6 +1,7 @@
 //! The photos of a command: an album of the public API, and the files of its photos.
 
-use crate::input::{self, is_standard, name, told};
+use crate::input::{is_standard, name, told};
+use crate::run::Run;
 use crate::{CliError, detectors, report};
 use inkpanel::{Album, Nets, PageOptions, Photo};
 use inkpanel_engine::framing::PhotoMeta;
@@ -16,20 +17,21 @@ pub(crate) const BY_CONTRAST: &str = "photos are cropped by contrast";
 const FEW: usize = 10;
 
 /// Photos that were read.
-pub(crate) struct Photos {
+pub(crate) struct Photos<'r> {
+    pub(crate) run: &'r Run,
     files: Vec<PathBuf>,
     pub(crate) album: Album,
 }
 
-impl Photos {
+impl<'r> Photos<'r> {
     /// Reads files in parallel. Files that cannot be read are reported and left out.
     ///
     /// # Errors
     /// If standard input cannot be read.
-    pub(crate) fn read(files: Vec<PathBuf>) -> Result<Self, CliError> {
+    pub(crate) fn read(run: &'r Run, files: Vec<PathBuf>) -> Result<Self, CliError> {
         let photo = |path: &PathBuf| {
             if is_standard(path) {
-                return Ok(Photo::from_bytes(told(path), input::read(path)?));
+                return Ok(Photo::from_bytes(told(path), run.read(path)?));
             }
             Ok(Photo::open(path))
         };
@@ -38,14 +40,14 @@ impl Photos {
         let album = Album::read_reporting(photos, &|photo| {
             let done = count.fetch_add(1, Ordering::Relaxed) + 1;
             let event = json!({ "event": "photo", "file": photo.name(), "done": done, "of": files.len() });
-            report::step(&event, None);
+            run.report.step(&event, None);
         });
         for note in album.notes() {
-            report::note(note.photo(), note.reason());
+            run.report.note(note.photo(), note.reason());
         }
-        let photos = Self { files, album };
+        let photos = Self { run, files, album };
         for (path, _) in photos.iter().filter(|(_, photo)| photo.damage.is_some()) {
-            report::damage_is_known(&told(path));
+            run.report.mark_damage(&told(path));
         }
         Ok(photos)
     }
@@ -78,14 +80,14 @@ impl Photos {
         let detectors = match detectors::load(models) {
             Ok(detectors) => detectors,
             Err(error) => {
-                report::note(None, &format!("{error}; {consequence}"));
+                self.run.report.note(None, &format!("{error}; {consequence}"));
                 return false;
             }
         };
         let known = self.album.notes().len();
         self.album.detect(&Nets::new(detectors));
         for note in &self.album.notes()[known..] {
-            report::note(note.photo(), note.reason());
+            self.run.report.note(note.photo(), note.reason());
         }
         true
     }
@@ -97,7 +99,7 @@ impl Photos {
             let starred = places.into_iter().filter(|place| is_named(&self.files[*place], star));
             let found = starred.filter(|place| self.album.star(*place).is_ok()).count();
             if found == 0 {
-                report::note(Some(&star.display().to_string()), "--star: no photo has this name");
+                self.run.report.note(Some(&star.display().to_string()), "--star: no photo has this name");
             }
         }
     }
@@ -111,13 +113,13 @@ impl Photos {
         if left.len() > FEW {
             let names: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
             let (count, some) = (left.len(), report::some(&names));
-            report::note(
+            self.run.report.note(
                 None,
                 &format!("{count} photos are left out; `inkpanel select` lists the reasons: {some}"),
             );
         } else {
             for (name, why) in &left {
-                report::note(Some(name), &format!("left out: {why}"));
+                self.run.report.note(Some(name), &format!("left out: {why}"));
             }
         }
         selection.used

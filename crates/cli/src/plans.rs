@@ -2,8 +2,9 @@
 
 use crate::destination::{Output, print_lines};
 use crate::format::Format;
-use crate::input::{self, is_standard, name};
+use crate::input::{is_standard, name};
 use crate::photos::{BY_CONTRAST, Photos};
+use crate::run::Run;
 use crate::{CliError, drawing, report};
 use inkpanel_engine::framing::{Crop, PhotoMeta};
 use inkpanel_engine::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
@@ -26,7 +27,7 @@ const MOST_PAGES: usize = 1000;
 /// Returns the plan as JSON, in the format of `docs/reference/formats.md`.
 ///
 /// `planned`: the pages before edits. A page that was edited has no score.
-pub(crate) fn told(pages: &[Document], planned: &[Planned], photos: &Photos) -> Result<Value, CliError> {
+pub(crate) fn told(pages: &[Document], planned: &[Planned], photos: &Photos<'_>) -> Result<Value, CliError> {
     let score = |page: &Document| {
         planned.iter().find(|planned| planned.document == *page).map(|planned| &planned.score)
     };
@@ -38,7 +39,7 @@ pub(crate) fn told(pages: &[Document], planned: &[Planned], photos: &Photos) -> 
 pub(crate) fn told_page(
     document: &Document,
     score: Option<&Score>,
-    photos: &Photos,
+    photos: &Photos<'_>,
 ) -> Result<Value, CliError> {
     let template = document.template()?;
     let aspect = document.page.aspect();
@@ -118,11 +119,11 @@ fn outline(shape: &ResolvedShape, aspect: f64) -> Value {
 
 /// Judges the pages of a plan that was made here or elsewhere. Photos are searched by name in the working
 /// folder and in the folder of the plan.
-pub(crate) fn score(asked: &ScoreArgs) -> Result<(), CliError> {
+pub(crate) fn score(run: &Run, asked: &ScoreArgs) -> Result<(), CliError> {
     let file = asked.plan.as_path();
     let complain = |error: CliError| error.at(file.display());
     let invalid = |reason: String| complain(CliError::new("invalid-document", reason));
-    let text = input::text(file).map_err(complain)?;
+    let text = run.text(file).map_err(complain)?;
     let plan: Value = serde_json::from_str(&text).map_err(|error| complain(CliError::not_json(error)))?;
     let pages = plan["pages"].as_array().ok_or_else(|| invalid("has no list of \"pages\"".into()))?;
     if pages.len() > MOST_PAGES {
@@ -133,7 +134,7 @@ pub(crate) fn score(asked: &ScoreArgs) -> Result<(), CliError> {
         let path = panel["photo"].as_str().map(|photo| located(Path::new(photo), file));
         files.extend(path.filter(|path| !files.contains(path)));
     }
-    let mut photos = Photos::read(files)?;
+    let mut photos = Photos::read(run, files)?;
     if !asked.no_detect {
         photos.add_subjects(asked.models.as_deref(), BY_CONTRAST);
     }
@@ -279,7 +280,7 @@ pub(crate) fn draw_all(
             "page": i + 1, "of": documents.len(), "file": own.path.display().to_string(),
         });
         let more = if there { ", skipped" } else { "" };
-        report::step(&event, Some(format!("{} of {}: {file}{more}", i + 1, documents.len())));
+        means.run.report.step(&event, Some(format!("{} of {}: {file}{more}", i + 1, documents.len())));
         files.push(own.path);
     }
     Ok(files)
@@ -319,15 +320,21 @@ fn numbered(output: &Path, number: usize) -> PathBuf {
 
 /// Reports differences from the request: another number of panels, photos that are used twice, photos on no
 /// page.
-pub(crate) fn tell_differences(pages: &[Planned], wanted: Option<usize>, used: &[String], photos: &Photos) {
+pub(crate) fn tell_differences(
+    pages: &[Planned],
+    wanted: Option<usize>,
+    used: &[String],
+    photos: &Photos<'_>,
+) {
+    let report = &photos.run.report;
     for (i, page) in pages.iter().enumerate() {
         let of = if pages.len() > 1 { format!("page {}: ", i + 1) } else { String::new() };
         let panels = page.document.panels.len();
         if let Some(wanted) = wanted.filter(|wanted| *wanted != panels) {
-            report::note(None, &format!("{of}{panels} panels instead of {wanted}"));
+            report.note(None, &format!("{of}{panels} panels instead of {wanted}"));
         }
         if let Some(why) = repeats(&page.document) {
-            report::note(None, &format!("{of}{why}"));
+            report.note(None, &format!("{of}{why}"));
         }
     }
     let shown: HashSet<&str> = pages
@@ -341,11 +348,8 @@ pub(crate) fn tell_differences(pages: &[Planned], wanted: Option<usize>, used: &
         .map(|(path, _)| name(path))
         .collect();
     if !unseen.is_empty() {
-        let of = used.len();
-        report::note(
-            None,
-            &format!("{} of {of} photos have no panel: {}", unseen.len(), report::some(&unseen)),
-        );
+        let (count, of, some) = (unseen.len(), used.len(), report::some(&unseen));
+        report.note(None, &format!("{count} of {of} photos have no panel: {some}"));
     }
 }
 

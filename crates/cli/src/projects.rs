@@ -26,7 +26,7 @@ pub(crate) struct Album<'a> {
     /// Its pages, whose photos have the ids of those below.
     pub(crate) pages: &'a [Document],
     /// All that was read.
-    pub(crate) photos: &'a Photos,
+    pub(crate) photos: &'a Photos<'a>,
     /// Ids of photos that pages may show.
     pub(crate) used: &'a [String],
     /// Whether detection ran.
@@ -157,7 +157,7 @@ impl Album<'_> {
             put("project.json", text.as_bytes())?;
         }
         for (path, photo) in self.photos.iter() {
-            let bytes = input::read(path).map_err(|error| error.at(input::told(path)))?;
+            let bytes = self.photos.run.read(path).map_err(|error| error.at(input::told(path)))?;
             put(&places[photo.meta.id.as_str()], &bytes)?;
         }
         writer.finish().map(Cursor::into_inner).map_err(unpacked)

@@ -3,15 +3,13 @@
 use crate::destination::Output;
 use crate::drawing::{Means, Subjects};
 use crate::format::ComicFormat;
-use crate::{CliError, drawing, report};
+use crate::{CliError, drawing};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use inkpanel_engine::output::describing::described;
 use inkpanel_engine::output::{Comic, ComicPage, File, PictureKind, Piece, cbz, epub, html};
 use inkpanel_engine::page::Document;
-use inkpanel_engine::page::words::Letters;
 use serde_json::json;
-use std::borrow::Borrow;
 use std::io::{Cursor, Write};
 use std::path::PathBuf;
 use zip::write::SimpleFileOptions;
@@ -36,25 +34,21 @@ pub(crate) fn write(
     means: &Means<'_>,
     output: &Output,
 ) -> Result<Vec<PathBuf>, CliError> {
-    let mut picture = |page: &Document| drawing::jpeg_of(page, means);
-    let words = pages.iter().flat_map(|page| &page.words);
-    let letters = means.fonts.letters(words)?;
-    output.write(&made(kind, told_of, pages, (subjects, &letters), &mut picture)?)?;
+    output.write(&made(kind, told_of, pages, subjects, means)?)?;
     Ok(vec![output.path.clone()])
 }
 
-/// Makes a comic of pages. `subjects` returns the subjects of a photo id; `picture` draws a page as JPEG.
-fn made<D: Borrow<Document>>(
+/// Makes a comic of pages. `subjects` returns the subjects of a photo id.
+fn made(
     kind: ComicFormat,
     told_of: Telling<'_>,
-    pages: &[D],
-    (subjects, letters): (&Subjects<'_>, &Letters),
-    picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, CliError>,
+    pages: &[Document],
+    subjects: &Subjects<'_>,
+    means: &Means<'_>,
 ) -> Result<Vec<u8>, CliError> {
     // Descriptions of panels exist only in English. In other languages, the text is just the word for photo.
     let english = told_of.language.split('-').next().is_some_and(|code| code.eq_ignore_ascii_case("en"));
-    let page = |document: &D| {
-        let document = document.borrow();
+    let page = |document: &Document| {
         let shows = if english { described(document, subjects) } else { Vec::new() };
         ComicPage { document: document.clone(), shows, moving: Vec::new() }
     };
@@ -64,6 +58,7 @@ fn made<D: Borrow<Document>>(
         picture: PictureKind::Jpeg,
         pages: pages.iter().map(page).collect(),
     };
+    let letters = &means.fonts.letters(pages.iter().flat_map(|page| &page.words))?;
     // Report errors before anything is drawn.
     let told = match kind {
         ComicFormat::Html => Told::Pieces(html::write(&comic, letters)?),
@@ -72,10 +67,10 @@ fn made<D: Borrow<Document>>(
     };
     let mut pictures = Vec::new();
     for (i, page) in pages.iter().enumerate() {
-        pictures.push(picture(page.borrow())?);
+        pictures.push(drawing::jpeg_of(page, means)?);
         if pages.len() > 1 {
             let event = json!({ "event": "page", "page": i + 1, "of": pages.len() });
-            report::step(&event, Some(format!("page {} of {}", i + 1, pages.len())));
+            means.run.report.step(&event, Some(format!("page {} of {}", i + 1, pages.len())));
         }
     }
     match told {

@@ -4,10 +4,10 @@ use crate::args::How;
 use crate::destination::Output;
 use crate::drawing;
 use crate::format::Format;
-use crate::input::{self, told};
+use crate::input::told;
 use crate::masks::Masks;
-use crate::report::check_strict;
-use crate::{CliError, boards, plans, reading, report, strips};
+use crate::run::Run;
+use crate::{CliError, boards, plans, reading, strips};
 use inkpanel::survived;
 use inkpanel_engine::document::listing::shot_list;
 use inkpanel_engine::document::saved::Saved;
@@ -25,10 +25,10 @@ const EXTENSION: &str = "inkpanel";
 /// Reads a project file, or a PNG with its project.
 ///
 /// Returns `None` if the file is neither. Then it is a photo.
-pub(crate) fn open(input: &Path) -> Option<Result<Saved, CliError>> {
+pub(crate) fn open(run: &Run, input: &Path) -> Option<Result<Saved, CliError>> {
     let named = is_project(input);
     let complain = |error: CliError| Err(error.at(told(input)));
-    let bytes = match input::read(input) {
+    let bytes = match run.read(input) {
         Ok(bytes) => bytes,
         // Unreadable photos are reported where photos are read.
         Err(error) => return named.then(|| complain(error)),
@@ -42,6 +42,7 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, CliError>> {
 
 /// The options of `render` that apply to a saved project.
 pub(crate) struct Asked<'a> {
+    pub(crate) run: &'a Run,
     /// Page number, from 1.
     pub(crate) page: Option<u32>,
     /// Frames on the sheets of a board, which are drawn instead of pages.
@@ -69,7 +70,7 @@ pub(crate) fn is_project(file: &Path) -> bool {
 }
 
 fn drawn(mut saved: Saved, asked: &Asked<'_>, output: &Output) -> Result<Vec<PathBuf>, CliError> {
-    let &Asked { page: number, board, how } = asked;
+    let &Asked { run, page: number, board, how } = asked;
     let (kind, printing) = (Format::of(&output.named)?, &how.printing);
     if let Format::Shots(kind) = kind {
         output.write(shot_list(saved.project()).written(kind).as_bytes())?;
@@ -80,7 +81,7 @@ fn drawn(mut saved: Saved, asked: &Asked<'_>, output: &Output) -> Result<Vec<Pat
     let stem = output.named.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     // A name with a number placeholder requests one picture per page.
     let each = how.strip || number.is_none() && plans::has_number(&output.named);
-    let logo = board.map_or(Ok(None), |_| boards::logo(&saved))?;
+    let logo = board.map_or(Ok(None), |_| boards::logo(run, &saved))?;
     let wanted = match board {
         Some(_) if matches!(kind, Format::Comic(_)) => {
             return Err("--board needs an output file .pdf or .png".into());
@@ -94,20 +95,20 @@ fn drawn(mut saved: Saved, asked: &Asked<'_>, output: &Output) -> Result<Vec<Pat
         if let Some(logo) = drawn_logo(id) {
             return Ok(Some(logo.clone()));
         }
-        photo(&saved, &files, id)
+        photo(run, &saved, &files, id)
     };
     let found = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
-    let fonts = printing.fonts()?;
-    let masks = masks(&saved);
+    let fonts = printing.fonts(run)?;
+    let masks = masks(run, &saved);
     let means = printing.means(&photos, &fonts, &masks);
-    drawing::tell_missing(&wanted, &fonts)?;
+    drawing::tell_missing(run, &wanted, &fonts)?;
     if how.strict {
         // Damage is reported before anything is written. Errors are reported again when the photo is drawn.
         for id in files.keys() {
             drop(photos(id));
         }
     }
-    check_strict(how.strict)?;
+    run.report.check_strict(how.strict)?;
     // Projects have no capture times.
     let wanted = if how.strip { strips::pages(&wanted, &means, &|_| None, &found)? } else { wanted };
     match kind {
@@ -162,9 +163,9 @@ pub(crate) fn known(saved: &Saved) -> HashMap<String, Vec<Subject>> {
 
 /// Subject masks of the photos by id: corrected, or stored detections. Styles that need other masks run the
 /// detector.
-pub(crate) fn masks(saved: &Saved) -> Masks {
+pub(crate) fn masks<'r>(run: &'r Run, saved: &Saved) -> Masks<'r> {
     let known = saved.project().masks();
-    Masks::new(known.map(|(id, mask)| (id.to_owned(), mask.clone())).collect(), None)
+    Masks::new(run, known.map(|(id, mask)| (id.to_owned(), mask.clone())).collect(), None)
 }
 
 /// A photo at full size by id; `None` if its file is missing.
@@ -172,6 +173,7 @@ pub(crate) fn masks(saved: &Saved) -> Masks {
 /// # Errors
 /// A sentence with its name if it cannot be read.
 pub(crate) fn photo(
+    run: &Run,
     saved: &Saved,
     files: &HashMap<String, Vec<u8>>,
     id: &str,
@@ -180,7 +182,7 @@ pub(crate) fn photo(
     let name = saved.photo(id).map_or(id, |photo| &photo.name);
     let decoded = survived(|| Ok(decode(bytes, &Limits::default())?))
         .map_err(|error: CliError| error.at(format_args!("the photo {name}")))?;
-    report::damage(name, decoded.damage);
+    run.report.damage(name, decoded.damage);
     Ok(Some(decoded.image))
 }
 

@@ -8,7 +8,8 @@ mod reel;
 mod shots;
 
 use crate::destination::print_lines;
-use crate::{CliError, drawing, input, reopening, report};
+use crate::run::Run;
+use crate::{CliError, drawing, input, reopening};
 use drawn::Drawn;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::output::animatic::{Animatic, SIDES, SIZES};
@@ -59,51 +60,50 @@ pub(crate) struct Animate {
     skip_existing: bool,
     /// Print the shots or pages and their frames as JSON. Progress on standard error is one JSON object per line.
     #[arg(long)]
-    json: bool,
+    pub(crate) json: bool,
 }
 
 /// Writes the frames.
 ///
 /// # Errors
 /// A sentence. Frames written before remain.
-pub(crate) fn animate(asked: &Animate) -> Result<(), CliError> {
-    if asked.json {
-        report::as_json();
-    }
+pub(crate) fn animate(run: &Run, asked: &Animate) -> Result<(), CliError> {
     if asked.pages {
         pages::check(asked)?;
     }
-    let saved = reopening::open(&asked.project).ok_or_else(|| {
+    let saved = reopening::open(run, &asked.project).ok_or_else(|| {
         CliError::new("unknown-format", "not an Inkpanel project").at(input::told(&asked.project))
     })??;
     let complain = |error: CliError| error.at(input::told(&asked.project));
-    let fonts = drawing::fonts(&asked.font)?;
+    let fonts = drawing::fonts(run, &asked.font)?;
     if asked.pages {
-        let pages = Pages::of(saved, asked, fonts).map_err(complain)?;
+        let pages = Pages::of(run, saved, asked, fonts).map_err(complain)?;
         return film(
+            run,
             &pages.plan,
             (&pages.steps(), &|clip| pages.drawn(clip)),
             ("pages", pages.told()),
             asked,
         );
     }
-    let shots = Shots::of(saved, asked, &fonts).map_err(complain)?;
-    film(&shots.plan, (&shots.steps(), &|clip| shots.drawn(clip)), ("shots", shots.told()), asked)
+    let shots = Shots::of(run, saved, asked, &fonts).map_err(complain)?;
+    film(run, &shots.plan, (&shots.steps(), &|clip| shots.drawn(clip)), ("shots", shots.told()), asked)
 }
 
 /// Writes the frames of a plan, and reports the result.
 fn film(
+    run: &Run,
     plan: &Animatic,
     (steps, draw): (&[Step], &(dyn Fn(usize) -> Result<Drawn, CliError> + Sync)),
     told: (&str, Value),
     asked: &Animate,
 ) -> Result<(), CliError> {
     std::fs::create_dir_all(&asked.output).map_err(|error| CliError::writing(&asked.output, &error))?;
-    Reel { plan, draw, folder: &asked.output, skips: asked.skip_existing }.write(steps)?;
+    Reel { run, plan, draw, folder: &asked.output, skips: asked.skip_existing }.write(steps)?;
     let beyond = frame_file(&asked.output, plan.frames);
     if beyond.exists() {
         let why = format!("belongs to a longer animatic in this folder; the new one ends at {}", plan.frames);
-        report::note(Some(&beyond.display().to_string()), &why);
+        run.report.note(Some(&beyond.display().to_string()), &why);
     }
     tell(plan, told, asked)
 }
@@ -128,11 +128,11 @@ fn is_of_film(saved: &Saved, photo: &str) -> bool {
 
 /// Warns about panels that show video frames. They move in videos of the app, which decodes the videos of a
 /// project, but not here. `called`: the noun for one of them, and for several.
-fn tell_still(count: usize, called: (&str, &str)) {
+fn tell_still(run: &Run, count: usize, called: (&str, &str)) {
     match count {
         0 => {}
-        1 => report::note(None, &format!("1 {} is a video frame; here it does not move", called.0)),
-        _ => report::note(None, &format!("{count} {} are video frames; here they do not move", called.1)),
+        1 => run.report.note(None, &format!("1 {} is a video frame; here it does not move", called.0)),
+        _ => run.report.note(None, &format!("{count} {} are video frames; here they do not move", called.1)),
     }
 }
 

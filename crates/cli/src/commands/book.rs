@@ -6,8 +6,8 @@ use crate::destination::{Output, print_json};
 use crate::format::Format;
 use crate::input::{self, name};
 use crate::photos::Photos;
-use crate::report::{check_strict, done};
-use crate::{CliError, detectors, drawing, plans, projects, report};
+use crate::run::Run;
+use crate::{CliError, detectors, drawing, plans, projects};
 use clap::ValueEnum;
 use inkpanel::{BookOptions, BookPlan};
 use inkpanel_engine::document::limits::MOST_SHEETS;
@@ -72,7 +72,7 @@ pub(crate) struct Book {
 ///
 /// # Errors
 /// A sentence for bad input.
-pub(crate) fn make(made: &Book) -> Result<(), CliError> {
+pub(crate) fn make(run: &Run, made: &Book) -> Result<(), CliError> {
     let Book { chosen, how, files: given, .. } = made;
     let output = made.output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
     if let Some(output) = &output {
@@ -82,7 +82,7 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
         }
         if how.skip_existing && output.exists() {
             let event = json!({ "event": "skipped", "file": output.path.display().to_string() });
-            report::step(&event, Some(format!("{}: exists already, skipped", output.path.display())));
+            run.report.step(&event, Some(format!("{}: exists already, skipped", output.path.display())));
             return Ok(());
         }
         if matches!(Format::of(&output.named), Ok(Format::Shots(_))) {
@@ -97,9 +97,9 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
     let is_pdf = output.as_ref().is_some_and(|output| matches!(Format::of(&output.named), Ok(Format::Pdf)));
     let mut page = chosen.paper.settings(is_pdf)?;
     page.rtl |= is_rtl(how.printing.language());
-    let options = chosen.options(page)?;
-    let fonts = how.printing.fonts()?;
-    let mut photos = Photos::read(input::files(given)?)?;
+    let options = chosen.options(run, page)?;
+    let fonts = how.printing.fonts(run)?;
+    let mut photos = Photos::read(run, input::files(run, given)?)?;
     photos.album.set_fonts(fonts.clone());
     let looked = chosen.prepare(&mut photos);
     let used = photos.choose(&options);
@@ -117,26 +117,26 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
         book = book.pages(pages as usize);
     }
     let progress = &mut |done: usize, of: usize| {
-        report::step(&json!({ "event": "planned", "done": done, "of": of }), None);
+        run.report.step(&json!({ "event": "planned", "done": done, "of": of }), None);
     };
     let BookPlan { title, pages } = photos.album.plan_book(&options, &book, used, progress)?;
     if let Some(wanted) = made.pages.filter(|wanted| *wanted as usize != pages.len()) {
-        report::note(None, &format!("there are {} pages, not {wanted}", pages.len()));
+        run.report.note(None, &format!("there are {} pages, not {wanted}", pages.len()));
     }
     let drawn: Vec<Document> = pages.iter().map(|page| page.planned.document.clone()).collect();
-    drawing::tell_missing(&drawn, &fonts)?;
-    check_strict(how.strict)?;
+    drawing::tell_missing(run, &drawn, &fonts)?;
+    run.report.check_strict(how.strict)?;
     let album = projects::Album { name: title, pages: &drawn, photos: &photos, used: &ids, looked };
     let written = write_album(&album, &fonts, output.as_ref(), &Writing { how, several: true, chosen })?;
     if chosen.json {
         print_json(&told(&album.name, &pages, &photos)?)?;
     }
-    done(&written)
+    run.report.done(&written)
 }
 
 /// Returns the plan as JSON, as `render` does, with the title of the book, and the purpose and chapter of
 /// each page.
-fn told(title: &str, pages: &[BookPage], photos: &Photos) -> Result<Value, CliError> {
+fn told(title: &str, pages: &[BookPage], photos: &Photos<'_>) -> Result<Value, CliError> {
     let page = |page: &BookPage| {
         let mut told = plans::told_page(&page.planned.document, Some(&page.planned.score), photos)?;
         told["role"] = json!(page.role.name());
@@ -163,7 +163,7 @@ fn title(given: &[PathBuf]) -> String {
 }
 
 /// Places by the names of folders, without the only given one. Other photos have the places of their GPS data.
-fn places(given: &[PathBuf], photos: &Photos, models: Option<&Path>) -> HashMap<String, String> {
+fn places(given: &[PathBuf], photos: &Photos<'_>, models: Option<&Path>) -> HashMap<String, String> {
     let inside = |path: &Path| {
         let parent = path.parent()?;
         (given != [parent]).then(|| name(parent).to_owned())
@@ -190,7 +190,9 @@ fn places(given: &[PathBuf], photos: &Photos, models: Option<&Path>) -> HashMap<
             &mut places,
             located.into_iter().filter_map(|(id, at)| Some((id, table.name(at)?.to_owned()))),
         ),
-        Err(reason) => report::note(None, &format!("{reason}; captions have no places of GPS data")),
+        Err(reason) => {
+            photos.run.report.note(None, &format!("{reason}; captions have no places of GPS data"));
+        }
     }
     places
 }

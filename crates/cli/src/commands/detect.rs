@@ -2,7 +2,8 @@
 
 use crate::destination::{print_json, print_lines};
 use crate::photos::Photos;
-use crate::{CliError, detectors, input, report};
+use crate::run::Run;
+use crate::{CliError, detectors, input};
 use inkpanel_engine::Error;
 use inkpanel_engine::detect::{Detection, Detectors};
 use rayon::prelude::*;
@@ -23,13 +24,13 @@ pub(crate) struct DetectArgs {
     pub(crate) models: Option<PathBuf>,
 }
 
-pub(crate) fn detect_photos(asked: &DetectArgs) -> Result<(), CliError> {
+pub(crate) fn detect_photos(run: &Run, asked: &DetectArgs) -> Result<(), CliError> {
     let detectors = detectors::load(asked.models.as_deref())?;
-    let photos = Photos::read(input::files(&asked.files)?)?;
+    let photos = Photos::read(run, input::files(run, &asked.files)?)?;
     if photos.album.imported().is_empty() {
         return Err(Error::NoPhotos.into());
     }
-    let found = run(&detectors, &photos);
+    let found = detected(&detectors, &photos);
     let rows = photos.iter().zip(&found).map(|((path, photo), found)| {
         json!({ "file": path.display().to_string(), "boxes": detectors::boxes(photo, found) })
     });
@@ -44,10 +45,10 @@ pub(crate) fn detect_photos(asked: &DetectArgs) -> Result<(), CliError> {
 }
 
 /// Boxes of each photo. A failure is reported and counts as no result.
-fn run(detectors: &Detectors, photos: &Photos) -> Vec<Vec<Detection>> {
+fn detected(detectors: &Detectors, photos: &Photos<'_>) -> Vec<Vec<Detection>> {
     let found = photos.album.imported().par_iter().map(|(place, photo)| {
         detectors.detect(&photo.work).unwrap_or_else(|error| {
-            report::note(Some(&photos.file(*place).display().to_string()), &error.to_string());
+            photos.run.report.note(Some(&photos.file(*place).display().to_string()), &error.to_string());
             Vec::new()
         })
     });

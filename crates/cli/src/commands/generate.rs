@@ -11,16 +11,17 @@ use rayon::prelude::*;
 use serde_json::Value;
 
 use crate::input::decode_file_fit;
-use crate::{CliError, detectors, report};
+use crate::run::Run;
+use crate::{CliError, detectors};
 
 /// Long side of the picture that is scored.
 const SIDE: usize = 256;
 
 /// Styles of successive seeds, as an array of style files. With a photo, each style has a score from 0 to 1:
 /// from the model, or from simple measurements without a model.
-pub(crate) fn invent(asked: &GenerateArgs) -> Result<Value, CliError> {
-    let photo = asked.photo.as_deref().map(|path| decode_file_fit(path, SIDE)).transpose()?;
-    let net = photo.as_ref().and_then(|_| judge(asked.models.as_deref()));
+pub(crate) fn invent(run: &Run, asked: &GenerateArgs) -> Result<Value, CliError> {
+    let photo = asked.photo.as_deref().map(|path| decode_file_fit(run, path, SIDE)).transpose()?;
+    let net = photo.as_ref().and_then(|_| judge(run, asked.models.as_deref()));
     let styles = (0..asked.count).into_par_iter().map(|i| {
         let mut style = procedural::invent(asked.seed.wrapping_add(i));
         style.score = photo.as_ref().map(|photo| score(photo, &style, net.as_ref()));
@@ -29,11 +30,11 @@ pub(crate) fn invent(asked: &GenerateArgs) -> Result<Value, CliError> {
     Ok(Value::Array(styles.collect()))
 }
 
-fn judge(models: Option<&Path>) -> Option<Aesthetics> {
+fn judge(run: &Run, models: Option<&Path>) -> Option<Aesthetics> {
     match detectors::load_aesthetics(models) {
         Ok(net) => Some(net),
         Err(complaint) => {
-            report::note(None, &format!("{complaint}; the light score is given"));
+            run.report.note(None, &format!("{complaint}; the light score is given"));
             None
         }
     }

@@ -8,6 +8,7 @@ use serde_json::Value;
 use std::path::PathBuf;
 
 use crate::input::decode_file_fit;
+use crate::run::Run;
 use crate::{CliError, report};
 
 /// Long side of the measured image. More pixels add no information about a screen pattern.
@@ -15,12 +16,12 @@ const SIDE: usize = 1600;
 
 /// Styles that give a photo the look of a picture, as an array of style files with a score each. Prints
 /// progress to standard error.
-pub(crate) fn imitate(asked: &ImitateArgs) -> Result<Value, CliError> {
+pub(crate) fn imitate(run: &Run, asked: &ImitateArgs) -> Result<Value, CliError> {
     let ImitateArgs { picture, photo, seed, anyway, .. } = asked;
     let read = if *anyway { imitate::read_any } else { imitate::read };
-    let look = read(&decode_file_fit(picture, SIDE)?)
+    let look = read(&decode_file_fit(run, picture, SIDE)?)
         .map_err(|error| CliError::from(error).at(picture.display()))?;
-    let photo = decode_file_fit(photo, SIDE)?;
+    let photo = decode_file_fit(run, photo, SIDE)?;
     let mut search = Search::new(look, *seed);
     loop {
         report::print(&format!("\rlooking for styles: {:3.0} %", search.progress(0) * 100.0));

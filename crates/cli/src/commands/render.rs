@@ -8,8 +8,8 @@ use crate::format::Format;
 use crate::input::{self, decode_file, told};
 use crate::masks::Masks;
 use crate::photos::Photos;
-use crate::report::{check_strict, done};
-use crate::{CliError, documents, drawing, plans, projects, reading, reopening, report, strips};
+use crate::run::Run;
+use crate::{CliError, documents, drawing, plans, projects, reading, reopening, strips};
 use clap::builder::PossibleValuesParser;
 use inkpanel_engine::document::shots::FRAMES;
 use inkpanel_engine::layout;
@@ -100,7 +100,7 @@ fn layout_families() -> PossibleValuesParser {
     layout::FAMILIES.into_iter().filter(has_layouts).collect::<Vec<_>>().into()
 }
 
-pub(crate) fn render(render: &Render) -> Result<(), CliError> {
+pub(crate) fn render(run: &Run, render: &Render) -> Result<(), CliError> {
     let Render { planned, how, page, board, document, output, files } = render;
     let output = output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
     if let Some(output) = &output {
@@ -111,27 +111,27 @@ pub(crate) fn render(render: &Render) -> Result<(), CliError> {
     }
     if let Some(output) = output.as_ref().filter(|output| how.skip_existing && is_made(output, planned)) {
         let event = json!({ "event": "skipped", "file": output.path.display().to_string() });
-        report::step(&event, Some(format!("{}: exists already, skipped", output.path.display())));
+        run.report.step(&event, Some(format!("{}: exists already, skipped", output.path.display())));
         return Ok(());
     }
     let given = files;
-    let files = input::files(given)?;
+    let files = input::files(run, given)?;
     if let Some(document) = document {
         planned_already(planned, document)?;
         if how.strip {
             return Err("--strip needs photos or a saved project".into());
         }
-        return documents::draw(document, &files, output.as_ref().ok_or(NO_OUTPUT)?, how);
+        return documents::draw(run, document, &files, output.as_ref().ok_or(NO_OUTPUT)?, how);
     }
     if let [file] = &files[..]
-        && let Some(saved) = reopening::open(file)
+        && let Some(saved) = reopening::open(run, file)
     {
         planned_already(planned, file)?;
         let output = output.as_ref().ok_or(NO_OUTPUT)?;
-        return done(&reopening::draw(
+        return run.report.done(&reopening::draw(
             saved?,
             file,
-            &reopening::Asked { page: *page, board: *board, how },
+            &reopening::Asked { run, page: *page, board: *board, how },
             output,
         )?);
     }
@@ -150,7 +150,7 @@ pub(crate) fn render(render: &Render) -> Result<(), CliError> {
         return Err("--page needs a saved project".into());
     }
     let name = projects::called(given, output_name(output.as_ref()));
-    plan_page(planned, how, output.as_ref(), &Input { files: &files, name: &name })
+    plan_page(run, planned, how, output.as_ref(), &Input { files: &files, name: &name })
 }
 
 /// Returns whether all output files exist already. Then no photo is read.
@@ -190,27 +190,28 @@ struct Input<'a> {
 }
 
 fn plan_page(
+    run: &Run,
     render: &Planned,
     how: &How,
     output: Option<&Output>,
     input: &Input<'_>,
 ) -> Result<(), CliError> {
     let is_pdf = output.is_some_and(|output| matches!(Format::of(&output.named), Ok(Format::Pdf)));
-    let mut options = render.album.options(render.album.paper.settings(is_pdf)?)?;
+    let mut options = render.album.options(run, render.album.paper.settings(is_pdf)?)?;
     options = options.merge(render.merge).figures(render.figures).layout_families(&render.layout_family);
     if let Some(layout) = &render.layout {
-        options = with_layout(options, layout)?;
+        options = with_layout(run, options, layout)?;
     }
     if let Some(panels) = render.panels {
         options = options.panels(panels);
     }
     if let Some(file) = &render.edits {
         let complain = |error: CliError| error.at(file.display());
-        let json = input::text(file).map_err(complain)?;
+        let json = run.text(file).map_err(complain)?;
         options = options.edits(&json).map_err(|error| complain(error.into()))?;
     }
-    let fonts = how.printing.fonts()?;
-    let mut photos = Photos::read(input.files.to_vec())?;
+    let fonts = how.printing.fonts(run)?;
+    let mut photos = Photos::read(run, input.files.to_vec())?;
     let looked = render.album.prepare(&mut photos);
     if render.figures {
         segment::add_masks(&mut photos, render.album.models.as_deref())?;
@@ -219,7 +220,7 @@ fn plan_page(
     let used: Vec<String> = chosen.iter().map(|photo| photo.id.clone()).collect();
     let pages = photos.album.plan(&options, chosen.clone(), render.pages.map(|pages| pages as usize))?;
     if let Some(wanted) = render.pages.filter(|wanted| *wanted as usize != pages.len()) {
-        report::note(None, &format!("{} pages instead of {wanted}", pages.len()));
+        run.report.note(None, &format!("{} pages instead of {wanted}", pages.len()));
     }
     plans::tell_differences(&pages, render.panels, &used, &photos);
     let documents = pages.iter().map(|page| page.document.clone()).collect();
@@ -229,13 +230,13 @@ fn plan_page(
         None => edited?,
     };
     for message in unchanged {
-        report::note(None, &message);
+        run.report.note(None, &message);
     }
     if let (Some(file), Some(first)) = (&render.words, drawn.first_mut()) {
         drawing::add_words(first, file, &photos, &fonts)?;
     }
-    drawing::tell_missing(&drawn, &fonts)?;
-    check_strict(how.strict)?;
+    drawing::tell_missing(run, &drawn, &fonts)?;
+    run.report.check_strict(how.strict)?;
     let album =
         projects::Album { name: input.name.to_owned(), pages: &drawn, photos: &photos, used: &used, looked };
     let written = write_album(
@@ -247,7 +248,7 @@ fn plan_page(
     if render.album.json {
         print_json(&plans::told(&drawn, &pages, &photos)?)?;
     }
-    done(&written)
+    run.report.done(&written)
 }
 
 /// How the pages of an album are written.
@@ -271,10 +272,11 @@ pub(crate) fn write_album(
     let photos = album.photos;
     let paths: HashMap<&str, &Path> =
         photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path)).collect();
-    let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
+    let full = |id: &str| paths.get(id).map(|path| decode_file(photos.run, path)).transpose();
     let masks =
         photos.iter().filter_map(|(_, photo)| Some((photo.meta.id.clone(), photo.meta.mask.clone()?)));
-    let masks = Masks::new(masks.collect(), chosen.models.as_deref()).detecting(!chosen.no_detect);
+    let masks =
+        Masks::new(photos.run, masks.collect(), chosen.models.as_deref()).detecting(!chosen.no_detect);
     let means = how.printing.means(&full, fonts, &masks);
     let mut written = match output {
         Some(output) => write_pages(album, &means, output, writing)?,

@@ -12,13 +12,14 @@ use serde_json::{Value, json};
 
 use crate::destination::print_lines;
 use crate::photos::Photos;
-use crate::{CliError, detectors, input, report};
+use crate::run::Run;
+use crate::{CliError, detectors, input};
 
 /// Writes a mask for each photo into a folder, and creates the folder if necessary.
-pub(crate) fn segment(asked: &SegmentArgs) -> Result<(), CliError> {
+pub(crate) fn segment(run: &Run, asked: &SegmentArgs) -> Result<(), CliError> {
     let net = detectors::load_segmenter(asked.models.as_deref())?;
     let folder = asked.output.as_path();
-    let photos = Photos::read(input::files(&asked.files)?)?;
+    let photos = Photos::read(run, input::files(run, &asked.files)?)?;
     if photos.album.imported().is_empty() {
         return Err(inkpanel_engine::Error::NoPhotos.into());
     }
@@ -33,7 +34,7 @@ pub(crate) fn segment(asked: &SegmentArgs) -> Result<(), CliError> {
     for ((path, _), made) in photos.iter().zip(made) {
         match made {
             Ok(row) => rows.push(row),
-            Err(complaint) => report::note(Some(&input::told(path)), &format!("{complaint}; left out")),
+            Err(complaint) => run.report.note(Some(&input::told(path)), &format!("{complaint}; left out")),
         }
     }
     if rows.is_empty() {
@@ -50,20 +51,21 @@ pub(crate) fn segment(asked: &SegmentArgs) -> Result<(), CliError> {
 }
 
 /// Adds the subject mask of each photo. A failure is reported, and the photo gets no mask.
-pub(crate) fn add_masks(photos: &mut Photos, models: Option<&Path>) -> Result<(), CliError> {
+pub(crate) fn add_masks(photos: &mut Photos<'_>, models: Option<&Path>) -> Result<(), CliError> {
+    let run = photos.run;
     let net = detectors::load_segmenter(models)?;
     let files: Vec<String> = photos.iter().map(|(path, _)| input::told(path)).collect();
     photos.album.imported_mut().par_iter_mut().zip(files).for_each(|((_, photo), file)| {
         match net.look(&photo.work) {
             Ok(mask) => photo.meta.mask = Some(mask),
-            Err(error) => report::note(Some(&file), &error.to_string()),
+            Err(error) => run.report.note(Some(&file), &error.to_string()),
         }
     });
     Ok(())
 }
 
 /// Returns `DIR/NAME.png` for each photo. A repeated name gets a number.
-fn names(photos: &Photos, folder: &Path) -> Vec<PathBuf> {
+fn names(photos: &Photos<'_>, folder: &Path) -> Vec<PathBuf> {
     let mut taken = HashSet::new();
     let name = |(path, _): (&Path, &Imported)| {
         let stem = path.file_stem().map_or_else(|| "photo".into(), |stem| stem.to_string_lossy());

@@ -2,6 +2,7 @@
 
 use crate::destination::{print_json, print_lines};
 use crate::photos::Photos;
+use crate::run::Run;
 use crate::{CliError, input};
 use inkpanel::PageOptions;
 use inkpanel_engine::Error;
@@ -30,8 +31,8 @@ pub(crate) struct SelectArgs {
     pub(crate) models: Option<PathBuf>,
 }
 
-pub(crate) fn select_photos(asked: &SelectArgs) -> Result<(), CliError> {
-    let mut photos = Photos::read(input::files(&asked.files)?)?;
+pub(crate) fn select_photos(run: &Run, asked: &SelectArgs) -> Result<(), CliError> {
+    let mut photos = Photos::read(run, input::files(run, &asked.files)?)?;
     if photos.album.imported().is_empty() {
         return Err(Error::NoPhotos.into());
     }

@@ -13,7 +13,8 @@ use inkpanel_engine::select::shots::{Film, Shot};
 use inkpanel_engine::select::stills::{self, Still, Wish};
 use serde_json::{Value, json};
 
-use crate::{CliError, report};
+use crate::CliError;
+use crate::run::Run;
 use std::path::PathBuf;
 
 /// Frames are asked for in this width at most, in pixels.
@@ -30,14 +31,14 @@ const MOST_MESSAGES: u64 = 1 << 16;
 ///
 /// # Errors
 /// A sentence, if ffmpeg is missing or cannot read the file.
-pub(crate) fn shots(film: &Path, count: Option<usize>) -> Result<Value, CliError> {
+pub(crate) fn shots(run: &Run, film: &Path, count: Option<usize>) -> Result<Value, CliError> {
     let about = About::of(film)?;
     let (seen, is_damaged) = look_at(film, &about)?;
     // The header of a truncated film still says how long it was.
     let end = seen.times().last().copied().unwrap_or_default() + 1.0 / about.rate;
     if let Some(whole) = about.film.filter(|whole| is_damaged && end < whole - SLACK) {
         let why = format!("the video is truncated: its frames end at {end:.2} s of {whole:.2} s");
-        report::note(Some(&film.display().to_string()), &why);
+        run.report.note(Some(&film.display().to_string()), &why);
     }
     let shots = seen.shots(end);
     let chosen = stills::choose(&seen, &shots, &Wish { count, ..Wish::default() });
@@ -189,8 +190,8 @@ pub(crate) struct ShotsArgs {
     pub(crate) json: bool,
 }
 
-pub(crate) fn shots_of(asked: &ShotsArgs) -> Result<(), CliError> {
-    let shots = shots(&asked.film, asked.frames.map(|frames| frames as usize))?;
+pub(crate) fn shots_of(run: &Run, asked: &ShotsArgs) -> Result<(), CliError> {
+    let shots = shots(run, &asked.film, asked.frames.map(|frames| frames as usize))?;
     if asked.json {
         return print_json(&shots);
     }

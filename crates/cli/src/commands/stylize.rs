@@ -5,7 +5,8 @@ use crate::destination::Output;
 use crate::format::Format;
 use crate::input::decode_file;
 use crate::masks::Masks;
-use crate::{CliError, detectors, drawing, report};
+use crate::run::Run;
+use crate::{CliError, detectors, drawing};
 use inkpanel_engine::framing::{Subject, subject_of};
 use inkpanel_engine::native::{self, QUALITY};
 use inkpanel_engine::raster::Image;
@@ -13,6 +14,7 @@ use inkpanel_engine::raster::resize::Region;
 use inkpanel_engine::style::faces::FaceBox;
 use inkpanel_engine::style::part::subject_in;
 use inkpanel_engine::style::stylize;
+use std::collections::HashMap;
 use std::path::PathBuf;
 
 /// Arguments of `inkpanel stylize`.
@@ -36,21 +38,22 @@ pub(crate) struct StylizeArgs {
 
 /// Writes a photo in a style. Unless detection is off, the style protects the faces, and knows the subject if
 /// it needs it.
-pub(crate) fn stylize_photo(asked: &StylizeArgs) -> Result<(), CliError> {
+pub(crate) fn stylize_photo(run: &Run, asked: &StylizeArgs) -> Result<(), CliError> {
     let detects = !asked.no_detect;
     let output = Output::new(&asked.output, asked.format.as_deref())?;
     let kind = Format::of(&output.named)?;
     if matches!(kind, Format::Pdf | Format::Project | Format::Comic(_) | Format::Shots(_)) {
         return Err(format!("{}: stylize writes .png, .jpg or .webp", output.path.display()).into());
     }
-    let style = read_style(&asked.style)?;
-    detectors::warn_about_models([&style]);
-    let image = decode_file(&asked.input)?;
+    let style = read_style(run, &asked.style)?;
+    detectors::warn_about_models(run, [&style]);
+    let image = decode_file(run, &asked.input)?;
     let mut context = native::context_for(&style, &image);
     if detects && style.faces {
-        context.show_faces(faces_in(&image)?);
+        context.show_faces(faces_in(run, &image)?);
     }
-    if let Some(matte) = Masks::default().detecting(detects).asked_by(&style, "", &image) {
+    let masks = Masks::new(run, HashMap::new(), None).detecting(detects);
+    if let Some(matte) = masks.asked_by(&style, "", &image) {
         let size = (image.width(), image.height());
         context.show_subject(subject_in(
             &matte,
@@ -65,11 +68,11 @@ pub(crate) fn stylize_photo(asked: &StylizeArgs) -> Result<(), CliError> {
 }
 
 /// The faces of a photo in its pixels, or its animals if it has no faces. None without the models, which is printed.
-fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, CliError> {
+fn faces_in(run: &Run, photo: &Image) -> Result<Vec<FaceBox>, CliError> {
     let detectors = match detectors::load(None) {
         Ok(detectors) => detectors,
         Err(complaint) => {
-            report::note(None, &format!("{complaint}; the style protects no face"));
+            run.report.note(None, &format!("{complaint}; the style protects no face"));
             return Ok(Vec::new());
         }
     };

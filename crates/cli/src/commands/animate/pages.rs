@@ -5,6 +5,7 @@ use super::drawn::{Drawn, Page};
 use super::reel::Step;
 use crate::drawing::{self, Means};
 use crate::masks::Masks;
+use crate::run::Run;
 use crate::{CliError, reopening};
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::native::{self, QUALITY};
@@ -18,12 +19,12 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 
 /// The timed pages of a project, and the resources to draw them.
-pub(super) struct Pages {
+pub(super) struct Pages<'r> {
     pub(super) plan: Animatic,
     saved: Saved,
     documents: Vec<Document>,
     files: HashMap<String, Vec<u8>>,
-    masks: Masks,
+    masks: Masks<'r>,
     fonts: GivenFonts,
     letters: Letters,
 }
@@ -45,8 +46,13 @@ pub(super) fn check(asked: &Animate) -> Result<(), CliError> {
     refused.into_iter().find(|(is, _)| *is).map_or(Ok(()), |(_, why)| Err(why.into()))
 }
 
-impl Pages {
-    pub(super) fn of(mut saved: Saved, asked: &Animate, fonts: GivenFonts) -> Result<Self, CliError> {
+impl<'r> Pages<'r> {
+    pub(super) fn of(
+        run: &'r Run,
+        mut saved: Saved,
+        asked: &Animate,
+        fonts: GivenFonts,
+    ) -> Result<Self, CliError> {
         let pages: Vec<Document> = saved.pages().0.iter().map(|page| Document::clone(page)).collect();
         if pages.is_empty() {
             return Err("the project has no pages".into());
@@ -63,9 +69,9 @@ impl Pages {
         };
         let letters = fonts.letters(pages.iter().flat_map(|page| &page.words))?;
         let plan = request.planned(&letters)?;
-        drawing::tell_missing(&pages, &fonts)?;
-        super::tell_still(moving(&saved, &pages)?, ("panel", "panels"));
-        let masks = reopening::masks(&saved);
+        drawing::tell_missing(run, &pages, &fonts)?;
+        super::tell_still(run, moving(&saved, &pages)?, ("panel", "panels"));
+        let masks = reopening::masks(run, &saved);
         Ok(Self { plan, saved, documents: pages, files, masks, fonts, letters })
     }
 
@@ -113,9 +119,10 @@ impl Pages {
             return Err(CliError::fault("a page is missing in the plan"));
         };
         let page = Document { words: self.documents[clip].words.clone(), ..picture.clone() };
-        let photo = |id: &str| reopening::photo(&self.saved, &self.files, id);
+        let run = self.masks.run;
+        let photo = |id: &str| reopening::photo(run, &self.saved, &self.files, id);
         let (fonts, masks) = (&self.fonts, &self.masks);
-        let means = Means { photos: &photo, fonts, masks, quality: QUALITY, enlarges: false };
+        let means = Means { run, photos: &photo, fonts, masks, quality: QUALITY, enlarges: false };
         let photos = drawing::decoded(&page, &means)?;
         let (sheet, words) = native::layers(&page, &photos, &self.letters)?;
         let widest = reading.stops.iter().map(|stop| stop.first.width).fold(0.0, f64::max);

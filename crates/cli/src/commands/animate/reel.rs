@@ -1,8 +1,9 @@
 //! Renders and writes the frames of a plan, for shots and for pages.
 
 use super::drawn::Drawn;
+use crate::CliError;
 use crate::destination::Output;
-use crate::{CliError, report};
+use crate::run::Run;
 use inkpanel_engine::output::animatic::{Animatic, Shown};
 use inkpanel_engine::output::reading::Told;
 use inkpanel_engine::page::compose::mix;
@@ -19,6 +20,7 @@ const DPI: u32 = 96;
 
 /// Source and destination of frames.
 pub(super) struct Reel<'a> {
+    pub(super) run: &'a Run,
     pub(super) plan: &'a Animatic,
     /// Draws a clip.
     pub(super) draw: &'a (dyn Fn(usize) -> Result<Drawn, CliError> + Sync),
@@ -112,7 +114,7 @@ impl Reel<'_> {
         let more = if skipped > 0 { format!(", {skipped} of them there") } else { String::new() };
         let (first, last) = (frames.start + 1, frames.end);
         let sentence = format!("{done} of {of}: {called}, frames {first} to {last}{more}");
-        report::step(&event, Some(sentence));
+        self.run.report.step(&event, Some(sentence));
     }
 }
 

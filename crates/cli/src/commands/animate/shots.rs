@@ -6,7 +6,8 @@ use super::reel::Step;
 use crate::boards::{self, ShotPhoto};
 use crate::commands::read_style;
 use crate::masks::Masks;
-use crate::{CliError, detectors, reopening, report};
+use crate::run::Run;
+use crate::{CliError, detectors, reopening};
 use inkpanel::survived;
 use inkpanel_engine::document::listing::shot_list;
 use inkpanel_engine::document::saved::Saved;
@@ -23,24 +24,29 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 
 /// The timed shots of a project, and the resources to draw them.
-pub(super) struct Shots {
+pub(super) struct Shots<'r> {
     pub(super) plan: Animatic,
     photos: Vec<ShotPhoto>,
-    masks: Masks,
+    masks: Masks<'r>,
     letters: Letters,
 }
 
-impl Shots {
-    pub(super) fn of(mut saved: Saved, asked: &Animate, fonts: &GivenFonts) -> Result<Self, CliError> {
-        let masks = reopening::masks(&saved);
+impl<'r> Shots<'r> {
+    pub(super) fn of(
+        run: &'r Run,
+        mut saved: Saved,
+        asked: &Animate,
+        fonts: &GivenFonts,
+    ) -> Result<Self, CliError> {
+        let masks = reopening::masks(run, &saved);
         let photos = boards::shown(&mut saved)?;
-        let request = request(&saved, asked, &photos)?;
+        let request = request(run, &saved, asked, &photos)?;
         let plan = request.planned()?;
         let style = plan.clips[0].picture.style()?;
-        detectors::warn_about_models([style.as_ref()]);
+        detectors::warn_about_models(run, [style.as_ref()]);
         if !style.has_parts() {
             let moving = photos.iter().filter(|photo| super::is_of_film(&saved, &photo.id)).count();
-            super::tell_still(moving, ("shot", "shots"));
+            super::tell_still(run, moving, ("shot", "shots"));
         }
         let words = plan.clips.iter().filter_map(|clip| clip.caption.as_ref()).flat_map(|page| &page.words);
         let letters = fonts.letters(words)?;
@@ -73,7 +79,7 @@ impl Shots {
         let ShotPhoto { id, name, file } = &self.photos[clip];
         let photo = survived(|| Ok(decode(file, &Limits::default())?))
             .map_err(|error: CliError| error.at(format_args!("the photo {name}")))?;
-        report::damage(name, photo.damage);
+        self.masks.run.report.damage(name, photo.damage);
         let subject = self.masks.asked_by(&*document.style()?, id, &photo.image);
         let photos = HashMap::from([(id.clone(), native::Photo { image: photo.image, subject })]);
         let sheet = native::sheet(document, &photos, &GivenFonts::default())?;
@@ -94,7 +100,7 @@ impl Shots {
 }
 
 /// The request for a project's shots.
-fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Request, CliError> {
+fn request(run: &Run, saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Request, CliError> {
     let found = reopening::known(saved);
     let aspect = f64::from(asked.size[0]) / f64::from(asked.size[1]);
     let picture = |PictureOf { photo, crop, faces }: PictureOf| {
@@ -105,7 +111,7 @@ fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Reque
     let project = saved.project();
     let page = project.history.present.page();
     let style = match &asked.style {
-        Some(style) => StyleRef::of(&read_style(style)?),
+        Some(style) => StyleRef::of(&read_style(run, style)?),
         None => page.map_or_else(StyleRef::default, |page| page.style.clone()),
     };
     Ok(Request {
