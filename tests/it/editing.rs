@@ -573,16 +573,19 @@ fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
     };
     let told = apply(json!({ "type": "add-photos", "ids": ["a", "b"] })).unwrap();
     assert_eq!(told["parts"]["items"], json!([{ "id": "a", "use": null }, { "id": "b", "use": null }]));
-    // The existing state is number 0, and becomes a past state.
-    assert_eq!((&told["parts"]["trays"], &told["states"]), (&json!([[0, 1]]), &json!([[0, { "tray": 0 }]])));
-    assert_eq!([&told["past"], &told["present"], &told["future"]], [&json!([[0, 1]]), &json!(1), &json!([])]);
+    assert_eq!((&told["parts"]["trays"], &told["present"]), (&json!([[0, 1]]), &json!({ "tray": 0 })));
+    let steps = |told: &Value| json!([told["undos"], told["redos"], told["stepped"], told["changed"]]);
+    assert_eq!(steps(&told), json!([1, 0, true, true]));
     assert_eq!((&told["entries"], &told["shown"]), (&json!([]), &json!([])));
     // The page has the settings of a new project, so these do not change.
     let mut full: Value = serde_json::from_str(&page(3).to_json()).unwrap();
     full["page"]["forScreens"] = json!(true);
     let told = apply(json!({ "type": "show-page", "page": full, "pageId": 4 })).unwrap();
-    assert_eq!(told["states"], json!([[1, { "page": 0, "pageId": 4 }]]));
-    assert_eq!((&told["parts"]["pages"], &told["past"]), (&json!([full]), &json!([[0, 2]])));
+    assert_eq!(
+        (&told["parts"]["pages"], &told["present"]),
+        (&json!([full]), &json!({ "page": 0, "pageId": 4 }))
+    );
+    assert_eq!((steps(&told), &told["edits"]), (json!([2, 0, true, true]), &json!([])));
     assert_eq!((&told["entries"], &told["shown"]), (&json!([{ "id": 4, "page": 0 }]), &json!([[0, 1]])));
     assert_eq!((&told["pageId"], &told["sheet"]), (&json!(5), &json!(1)));
     // A known page is referenced by its id in both directions. It is the second of the two shown pages, after
@@ -591,14 +594,16 @@ fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
     other["page"]["forScreens"] = json!(true);
     apply(json!({ "type": "show-page", "page": other, "pageId": 5 })).unwrap();
     let told = apply(json!({ "type": "show-page", "pageId": 4 })).unwrap();
-    assert_eq!(
-        (&told["parts"]["pages"], &told["states"]),
-        (&json!([]), &json!([[3, { "page": 1, "pageId": 4 }]]))
-    );
-    // The answer to an undo contains only its position.
+    assert_eq!((&told["parts"]["pages"], &told["present"]), (&json!([]), &json!({ "page": 1, "pageId": 4 })));
+    // The answer to an undo contains the fields that it brings back. Their parts may be known.
     let told = apply(json!({ "type": "undo" })).unwrap();
-    let places = [&told["states"], &told["past"], &told["present"], &told["future"], &told["shown"]];
-    assert_eq!(places, [&json!([]), &json!([[0, 3]]), &json!(3), &json!([[4, 1]]), &json!([[0, 2]])]);
+    assert_eq!((&told["parts"]["pages"], &told["shown"]), (&json!([]), &json!([[0, 2]])));
+    assert_eq!(
+        (&told["present"], steps(&told)),
+        (&json!({ "page": 2, "pageId": 5 }), json!([3, 1, true, true]))
+    );
+    let told = apply(json!({ "type": "love-page", "pageId": 4, "on": false })).unwrap();
+    assert_eq!((&told["present"], steps(&told)), (&json!({}), json!([3, 1, false, false])));
     // The answer contains only the starred photo, because the other one is known.
     let told = apply(json!({ "type": "star-photo", "id": "b", "on": true })).unwrap();
     assert_eq!(told["parts"]["items"], json!([{ "id": "b", "use": null, "starred": true }]));

@@ -106,8 +106,8 @@ test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
   if (id === 'boards.followPages') parts.boards.move(0, 1);
   if (id === 'imitation.stop') parts.imitation.progress.value = 0.5;
   const action = new Map(everyAction({ ...createActions(parts) })).get(id);
-  const before = store.history.peek().past.length;
+  const before = store.mirror.peek().undos;
   if (action && isEnabled(action)) action.run();
   else expect.fail('it cannot be done here');
-  expect(store.history.peek().past.length - before).toBe(action.undo === undefined ? 0 : 1);
+  expect(store.mirror.peek().undos - before).toBe(action.undo === undefined ? 0 : 1);
 });

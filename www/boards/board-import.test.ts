@@ -43,7 +43,7 @@ test('a list that was saved changes nothing when it is imported again, whatever 
     [ids[3]]: { number: '101', frames: 37, scene: '7', action: 'She waits.', dialogue: '- Well?' },
   });
   boards.addColumn('Lens');
-  const before = store.history.peek().present;
+  const before = store.mirror.peek().present;
   const saved = csv();
   await take('shots.csv', saved);
   expect(shots()).toEqual(before.tray.map(({ shot }) => shot ?? {}));

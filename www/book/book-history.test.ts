@@ -13,14 +13,14 @@ describe('page settings', () => {
   test('are of all pages, as one step', () => {
     const { book, pages, store } = app;
     book.spreadAlbum();
-    const steps = store.history.value.past.length;
+    const steps = store.mirror.value.undos;
     for (const gutter of [0.02, 0.03]) pages.changeSettings({ gutter }, 'gutter-1');
     pages.changeSettings({ width: 2000 });
     expect(store.sheets.value.map(({ page }) => [page.gutter, page.width])).toEqual([
       [0.03, 2000],
       [0.03, 2000],
     ]);
-    expect(store.history.value.past.length).toBe(steps + 2);
+    expect(store.mirror.value.undos).toBe(steps + 2);
     pages.undo();
     pages.undo();
     expect(store.sheets.value.map(({ page }) => page.gutter)).toEqual([0.018, 0.018]);
@@ -29,13 +29,13 @@ describe('page settings', () => {
   test('while a slider is held are of the page that is shown, and of all pages once it is let go, as one step', () => {
     const { book, pages, store } = app;
     book.spreadAlbum();
-    const steps = store.history.value.past.length;
+    const steps = store.mirror.value.undos;
     const gutters = () => store.sheets.value.map(({ page }) => page.gutter);
     for (const gutter of [0.02, 0.03]) pages.changeSettings({ gutter }, 'gutter-1', { held: true });
     expect(gutters()).toEqual([0.03, 0.018]);
     pages.changeSettings({}, 'gutter-1');
     expect(gutters()).toEqual([0.03, 0.03]);
-    expect(store.history.value.past.length).toBe(steps + 1);
+    expect(store.mirror.value.undos).toBe(steps + 1);
     pages.undo();
     expect(gutters()).toEqual([0.018, 0.018]);
   });
@@ -88,8 +88,8 @@ describe('keeping', () => {
   test('keeps the pages and their photos, in the browser and in a file', () => {
     const { book, store, ids } = app;
     book.spreadAlbum();
-    const history = store.history.value;
-    expect([...photosOf({ ...history, shown: [], past: [] })].sort()).toEqual(ids().sort());
+    const history = store.mirror.value;
+    expect([...photosOf([history.present])].sort()).toEqual(ids().sort());
     const facts = store.facts.value.map((fact) => ({ ...fact, type: 'image/jpeg' })) as any[];
     const { history: opened } = JSON.parse(projectJson(history, facts, []).json);
     expect(opened.present.others).toEqual(store.project.value.others);

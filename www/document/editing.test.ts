@@ -1,12 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { createEditing } from './editing.ts';
-import { EMPTY_HISTORY } from './history.ts';
+import { bytesOf } from '../engine/interned.ts';
+import { createEditing, openEditing } from './editing.ts';
+import { EMPTY_MIRROR } from './history.ts';
 import { DEFAULT_SETTINGS } from './empty.ts';
-import { edited, pageOf } from './testing.ts';
+import { edited, historyOf, pageOf } from './testing.ts';
 import { core } from '../engine/testing-core.ts';
 import type { Editing } from './editing.ts';
-import type { Change, History } from './history.ts';
+import type { Change } from './history.ts';
 import type { Intent } from '../engine/types.ts';
 import type { Action } from './project.ts';
 
@@ -15,33 +16,46 @@ const show = (id: number): Change => ({ type: 'show-page', page: pageOf(id), pag
 describe('what is read beside the core', () => {
   test('keeps the very objects that an edit leaves as they were', () => {
     const editing = edited({ type: 'add-photos', ids: ['a', 'b'] }, show(1), show(2));
-    const before = editing.history();
+    const before = editing.mirror();
     const after = editing.apply({ type: 'star-photo', id: 'a', on: true });
-    expect(after.past.slice(0, -1)).toEqual(before.past);
-    expect(after.past.at(-1)).toBe(before.present);
+    expect([before.undos, after.undos, after.redos, after.step === before.step]).toEqual([3, 4, 0, false]);
     for (const part of ['page', 'settings', 'others', 'locks', 'mine'] as const)
       expect(after.present[part]).toBe(before.present[part]);
-    expect([after.shown, after.future, after.present.tray[1]]).toEqual([before.shown, [], before.present.tray[1]]);
     expect(after.shown).toBe(before.shown);
     expect(after.present.tray[1]).toBe(before.present.tray[1]);
     expect(after.present.tray[0]).toEqual({ id: 'a', use: null, starred: true });
   });
 
-  test('goes back and forth to the very states', () => {
-    const editing = edited(show(1), show(2));
-    const { past, present } = editing.history();
+  test('goes back and forth with the very pages', () => {
+    const editing = edited({ type: 'add-photos', ids: ['a'] }, show(1), show(2));
+    const { present, shown } = editing.mirror();
     const back = editing.apply({ type: 'undo' });
-    expect([back.present, back.future[0]]).toEqual([past[1], present]);
-    expect(back.present).toBe(past[1]);
-    expect(editing.apply({ type: 'redo' }).present).toBe(present);
-    expect(editing.apply({ type: 'redo' })).toBe(editing.history());
+    expect([back.undos, back.redos, back.present.pageId]).toEqual([2, 1, 1]);
+    expect([back.present.page === shown[0].page, back.present.tray === present.tray]).toEqual([true, true]);
+    const forth = editing.apply({ type: 'redo' });
+    expect(forth.present).toEqual(present);
+    expect(forth.present.page).toBe(present.page);
+    expect(editing.apply({ type: 'redo' })).toBe(editing.mirror());
+  });
+
+  test('counts a step for each undo step, not for a part of a coalesced edit', () => {
+    const editing = edited({ type: 'rename', name: 'One', gesture: 'g' });
+    const { step } = editing.mirror();
+    const steps = [
+      { type: 'rename', name: 'Two', gesture: 'g' },
+      { type: 'rename', name: 'Three', silent: true },
+      { type: 'rename', name: 'Four' },
+      { type: 'undo' },
+    ].map((change) => editing.apply(change as Change).step);
+    expect(steps.slice(0, 2)).toEqual([step, step]);
+    expect(new Set(steps).size).toBe(3);
   });
 
   test('has a page as the very one that was given', () => {
     const pages = [pageOf(1), pageOf(2)];
     const editing = edited({ type: 'show-page', page: pages[0], pageId: 1 });
-    expect(editing.history().present.page).toBe(pages[0]);
-    expect(editing.history().shown[0].page).toBe(pages[0]);
+    expect(editing.mirror().present.page).toBe(pages[0]);
+    expect(editing.mirror().shown[0].page).toBe(pages[0]);
     const sheets = pages.map((page, i) => ({ page, pageId: i + 1, sheet: i }));
     const { present, shown } = editing.apply({ type: 'set-sheets', sheets, at: 1 });
     expect([present.page, present.others[0].page, shown[1].page].map((page) => pages.indexOf(page as any))).toEqual([
@@ -57,31 +71,44 @@ describe('what is read beside the core', () => {
     editing.apply({ type: 'show-page', page: one, pageId: 1 });
     editing.apply({ type: 'show-page', page: two, pageId: 2 });
     editing.apply({ type: 'show-page', page: one, pageId: 1 });
-    expect([told[2], editing.history().present.page === one]).toEqual(['{"type":"show-page","pageId":1}', true]);
+    expect([told[2], editing.mirror().present.page === one]).toEqual(['{"type":"show-page","pageId":1}', true]);
     // A different page with that id is sent in full.
     editing.apply({ type: 'show-page', page: { ...two, seed: 9 }, pageId: 2 });
-    expect(editing.history().present.page?.seed).toBe(9);
+    expect(editing.mirror().present.page?.seed).toBe(9);
   });
 
   test('is as it was where the core refuses an edit', () => {
     const editing = edited(show(1));
-    const before = editing.history();
+    const before = editing.mirror();
     const wrong = { ...pageOf(2), layout: 'no such layout' };
     expect(() => editing.apply({ type: 'change-page', page: wrong })).toThrow(/layout/);
-    expect(editing.history()).toBe(before);
+    expect(editing.mirror()).toBe(before);
     expect(editing.apply({ type: 'undo' }).present.page).toBe(null);
   });
 
   test('is as the core reads it where something of it is left out', () => {
-    const history = edited(show(1), show(2)).history();
+    const history = historyOf(edited(show(1), show(2)));
     const broken = { ...history.past[1], page: { ...pageOf(1), layout: 'no such layout' } };
-    const editing = createEditing(core.createEditor(), { ...history, past: [history.past[0], broken] });
-    expect(editing.history().past.length).toBe(1);
+    const bytes = bytesOf({ version: 1, history: { ...history, past: [history.past[0], broken] } });
+    const editing = openEditing(core.createEditor(), bytes);
+    expect([editing.mirror().undos, editing.dropped]).toEqual([1, [expect.stringMatching(/layout/)]]);
     expect(editing.apply({ type: 'undo' }).present).toEqual(history.past[0]);
   });
 
+  test('has the photos of all times', () => {
+    const editing = edited({ type: 'add-photos', ids: ['a', 'b'] }, { type: 'remove-photos', ids: ['a'] });
+    const panels = pageOf(1).panels.map((panel, i) => ({ ...panel, photo: ['b', 'c', null, null][i] }));
+    editing.apply({ type: 'add-photos', ids: ['c', 'd'] });
+    editing.apply({ type: 'show-page', page: { ...pageOf(1), panels }, pageId: 1 });
+    editing.apply({ type: 'undo' });
+    editing.apply({ type: 'undo' });
+    expect(editing.photos().sort()).toEqual(['a', 'b', 'c', 'd']);
+    editing.apply({ type: 'forget-photos', ids: ['c'] });
+    expect(editing.photos().sort()).toEqual(['a', 'b', 'd']);
+  });
+
   test('takes halves of letters for signs, and a name has an end', () => {
-    const { present } = edited({ type: 'rename', name: `a\ud800b\\ud800${'x'.repeat(2_000)}` }).history();
+    const { present } = edited({ type: 'rename', name: `a\ud800b\\ud800${'x'.repeat(2_000)}` }).mirror();
     expect([present.name.slice(0, 9), present.name.length]).toEqual(['a\ufffdb\\ud800', 1_000]);
   });
 });
@@ -155,26 +182,29 @@ const action = fc.oneof(
 const step = fc.constantFrom('undo', 'redo').map((type) => ({ type }) as Change);
 const changes = fc.array(fc.oneof({ weight: 4, arbitrary: action }, { weight: 1, arbitrary: step }), { maxLength: 60 });
 
-function isSame(editing: Editing, core: History) {
-  expect(JSON.parse(JSON.stringify(editing.history()))).toEqual(JSON.parse(JSON.stringify(core)));
+function isSame(editing: Editing) {
+  const { past, present, future, shown } = historyOf(editing);
+  const { undos, redos, ...told } = editing.mirror();
+  expect(JSON.parse(JSON.stringify({ present: told.present, shown: told.shown }))).toEqual({ present, shown });
+  expect([undos, redos]).toEqual([past.length, future.length]);
 }
 
 describe('whatever is done', () => {
   test('what is read here is what the core has', () => {
     fc.assert(
       fc.property(changes, (list) => {
-        const editor = core.createEditor();
-        const editing = createEditing(editor);
-        for (const one of list) editing.apply(one);
-        isSame(editing, editor.save());
-        // Parts stay shared, so that saved data stays small.
-        const again = createEditing(core.createEditor(), editing.history());
-        expect(again.history()).toBe(editing.history());
+        const editing = createEditing(core.createEditor());
+        for (const one of list) {
+          editing.apply(one);
+          isSame(editing);
+        }
+        const again = openEditing(core.createEditor(), editing.save().bytes);
+        expect(again.mirror()).toEqual({ ...editing.mirror(), step: again.mirror().step });
         again.apply({ type: 'forget-photos', ids: ['a', 'd'] });
         editing.apply({ type: 'forget-photos', ids: ['a', 'd'] });
-        isSame(editing, editor.save());
-        expect(again.history()).toEqual(editing.history());
-        expect([again.fresh(), editing.history().past.length]).toEqual([editing.fresh(), again.history().past.length]);
+        isSame(editing);
+        expect(historyOf(again)).toEqual(historyOf(editing));
+        expect(again.fresh()).toEqual(editing.fresh());
       }),
     );
   });
@@ -183,13 +213,13 @@ describe('whatever is done', () => {
     fc.assert(
       fc.property(changes, (list) => {
         const editing = edited(...list);
-        const end = editing.history();
-        while (editing.history().past.length > 0) editing.apply({ type: 'undo' });
-        expect(editing.history().present).toEqual(EMPTY_HISTORY.present);
-        while (editing.history().future.length > end.future.length) editing.apply({ type: 'redo' });
-        expect(editing.history().present).toBe(end.present);
+        const end = editing.mirror();
+        while (editing.mirror().undos > 0) editing.apply({ type: 'undo' });
+        expect(editing.mirror().present).toEqual(EMPTY_MIRROR.present);
+        while (editing.mirror().redos > end.redos) editing.apply({ type: 'redo' });
+        expect(editing.mirror().present).toEqual(end.present);
         if (end.present.page)
-          expect(editing.history().shown).toContainEqual(
+          expect(editing.mirror().shown).toContainEqual(
             expect.objectContaining({ id: end.present.pageId, page: end.present.page }),
           );
       }),
@@ -200,10 +230,24 @@ describe('whatever is done', () => {
     fc.assert(
       fc.property(changes, changes, (first, second) => {
         const editing = edited(...first);
-        const before = editing.history();
+        const before = editing.mirror();
         const copy = structuredClone(before);
         second.forEach((change) => editing.apply(change));
         expect(before).toEqual(copy);
+      }),
+    );
+  });
+
+  test('an editor that broke goes on in another one', () => {
+    fc.assert(
+      fc.property(changes, changes, (first, second) => {
+        const editing = edited(...first);
+        editing.save();
+        second.forEach((change) => editing.apply(change));
+        const before = historyOf(edited(...first, ...second));
+        editing.revive(core.createEditor());
+        isSame(editing);
+        expect(historyOf(editing)).toEqual(before);
       }),
     );
   });

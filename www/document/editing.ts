@@ -1,69 +1,127 @@
 /**
- * The editor of a project. The core applies edits, and this module has a readable copy of the history. Unchanged parts
- * keep their object identity, so drawing, caches and the journal can skip them.
+ * The editor of a project. The core applies edits, and this module has a readable copy of the present and the page
+ * history. Unchanged parts keep their object identity, so drawing and caches can skip them. It also has the changes since
+ * the last saving, for the journal and for an editor that broke.
  */
 
-import { joinedWith } from '../engine/interned.ts';
+import { bytesOf, joinedWith } from '../engine/interned.ts';
 import { VERSION } from '../engine/versions.ts';
-import { EMPTY_HISTORY } from './history.ts';
+import { EMPTY_MIRROR } from './history.ts';
 import { wellFormed } from './limits.ts';
 import { sheetsOf } from '../engine/sheets.ts';
-import type { Editor, KeptHistory } from '../engine/core.ts';
+import type { Editor } from '../engine/core.ts';
 import type { Known } from '../engine/interned.ts';
-import type { Board, Difference, Intent, Loaded, PhotoMeta, Runs } from '../engine/types.ts';
-import type { Change, History, Shown } from './history.ts';
+import type { Board, Difference, Intent, PhotoMeta, Runs } from '../engine/types.ts';
+import type { Beginning, Change, Mirror, Shown } from './history.ts';
 import type { PageDocument, Project } from './project.ts';
 
-export type Editing = ReturnType<typeof createEditing>;
+export type Editing = ReturnType<typeof openEditing>;
+/** The bytes of a history, and the number of changes before. */
+export type Saved = { bytes: Uint8Array<ArrayBuffer>; at: number };
+
+/** A change without edits, which ends a gesture. */
+const END = '[]';
+
+/** The number of undo steps of all editors. */
+let steps = 0;
 
 /**
  * @param editor a dedicated editor
  * @param from throws if it is invalid
  */
-export function createEditing(editor: Editor, from: History = EMPTY_HISTORY) {
-  const loaded = editor.load({ version: VERSION, history: from });
-  return editingOf(editor, loaded, loaded.dropped.length > 0 ? editor.save() : from);
+export function createEditing(editor: Editor, { present, shown }: Beginning = EMPTY_MIRROR): Editing {
+  return openEditing(editor, bytesOf({ version: VERSION, history: { past: [], present, future: [], shown } }));
 }
 
 /**
- * Opens a history out of the database or of the journal. Throws `damaged-project` or `newer-project`.
+ * Opens a history out of the database. Throws `damaged-project` or `newer-project`, and `invalid-document` for the
+ * journal.
  * @param editor a dedicated editor
+ * @param journal changes that were made since, each as the text of a list of edits
  */
-export function openEditing(editor: Editor, record: KeptHistory) {
-  const loaded = editor.load(record);
-  return editingOf(editor, loaded, editor.save());
-}
-
-function editingOf(editor: Editor, { dropped, ...ids }: Loaded, from: History) {
-  let history = from;
-  let { pageId, sheet } = ids;
+export function openEditing(editor: Editor, bytes: Uint8Array<ArrayBuffer>, journal: readonly string[] = []) {
+  let core = editor;
+  let told = core.load(bytes, textOf(journal));
+  let mirror = begun(told);
+  /** Changes since the last saving. The first has the number `first`. After loading, a gesture does not go on. */
+  const changes = [...journal, END];
+  let first = 0;
+  let saved: Saved = { bytes, at: 0 };
+  let isCurrent = false;
 
   return {
     /** Sentences about the parts that could not be read. */
-    dropped,
-    history: () => history,
+    dropped: told.dropped,
+    mirror: () => mirror,
     /**
      * @param photos in use
      * @returns the page that an intent would make the current page; null if the page stays
      */
-    preview: (intent: Intent, photos: readonly PhotoMeta[]) => editor.preview(jsonOf(intent), photos),
-    obstacles: editor.obstacles,
+    preview: (intent: Intent, photos: readonly PhotoMeta[]) => core.preview(jsonOf(intent), photos),
+    obstacles: (panels: readonly number[]) => core.obstacles(panels),
     /** Plans pages of the present from photos in use. */
-    plans: editor.plans,
+    plans: (photos: readonly PhotoMeta[]) => core.plans(photos),
+    /** The ids of all photos of the history. */
+    photos: () => core.photos(),
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
-    fresh: () => ({ pageId, sheet }),
-    /**
-     * Throws `invalid-document`, and for intents the errors of the planner. Then nothing changed.
-     * @param photos in use, for intents
-     * @returns the same object when nothing changed
-     */
-    apply: (change: Change, photos?: readonly PhotoMeta[]): History => {
-      const told = editor.apply(jsonOf(withoutKnown(change, history)), photos);
-      ({ pageId, sheet } = told);
-      history = laidOver(history, told, pagesIn(change));
-      return history;
+    fresh: () => ({ pageId: told.pageId, sheet: told.sheet }),
+    apply,
+    save,
+    /** @returns changes from a number on, each as the text of a list of edits; null if they were removed */
+    since: (at: number): readonly string[] | null => (at < first ? null : changes.slice(at - first)),
+    /** Removes changes before a number, which is saved. */
+    trim: (at: number) => {
+      const removed = changes.splice(0, Math.min(at, saved.at) - first);
+      first += removed.length;
+    },
+    /** Continues with another editor, because this one broke. */
+    revive: (fresh: Editor) => {
+      told = fresh.load(saved.bytes, textOf(changes.slice(saved.at - first)));
+      core = fresh;
+      mirror = begun(told);
+      changes.push(END);
     },
   };
+
+  /**
+   * Throws `invalid-document`, and for intents the errors of the planner. Then nothing changed.
+   * @param photos in use, for intents
+   * @returns the same object when nothing changed
+   */
+  function apply(change: Change, photos?: readonly PhotoMeta[]): Mirror {
+    told = core.apply(jsonOf(withoutKnown(change, mirror)), photos);
+    const { changed, includes } = told;
+    if (!changed) return mirror;
+    const before = mirror;
+    const { now, edits } = laidOver(before, told, pagesIn(change));
+    mirror = now;
+    // Before the changes that this one includes, the core had other pages.
+    const texts = (edits.length > 0 ? edits : [change]).map((edit) =>
+      jsonOf(includes > 0 ? edit : withoutKnown(edit, before)),
+    );
+    changes.splice(changes.length - includes, includes, `[${texts.join()}]`);
+    return mirror;
+  }
+
+  function count() {
+    return first + changes.length;
+  }
+
+  function save(): Saved {
+    if (!isCurrent || saved.at !== count()) saved = { bytes: core.save(), at: count() };
+    isCurrent = true;
+    return saved;
+  }
+}
+
+/** The copy of a history that was loaded. */
+function begun(told: Difference): Mirror {
+  steps += 1;
+  return { ...laidOver(EMPTY_MIRROR, told, []).now, step: steps };
+}
+
+function textOf(changes: readonly string[]) {
+  return changes.length > 0 ? `[${changes.join()}]` : '';
 }
 
 /** Replaces lone surrogates, which the user can paste and the core rejects. */
@@ -74,7 +132,7 @@ function jsonOf(edit: object): string {
 }
 
 /** @returns with only the ids of pages that the core already has */
-function withoutKnown(change: Change, { present, shown }: History): object {
+function withoutKnown(change: Change, { present, shown }: Mirror): object {
   const pages = new Map([...shown.map(({ id, page }) => [id, page] as const), ...ownPages(present)]);
   const spared = <T extends { page: PageDocument; pageId: number }>(one: T) =>
     pages.get(one.pageId) === one.page ? { ...one, page: undefined } : one;
@@ -96,21 +154,19 @@ function pagesIn(change: Change): readonly PageDocument[] {
   return 'page' in change && change.page ? [change.page] : [];
 }
 
-function laidOver(was: History, told: Difference, given: readonly PageDocument[]): History {
-  const before = [...was.past, was.present, ...was.future];
-  const { state, withPage } = joinedWith(withGiven(told.parts, given), knownParts(was));
-  const states: Project[] = [
-    ...before,
-    ...told.states.map(([of, fields]) => bare({ ...before[of], ...state(fields) })),
-  ];
-  const entries: Shown[] = [...was.shown, ...told.entries.map(withPage)];
+/** @returns the copy after a change, and the edits that an intent led to */
+function laidOver(was: Mirror, told: Difference, given: readonly PageDocument[]): { now: Mirror; edits: Change[] } {
+  const { state, withPage, edit } = joinedWith(withGiven(told.parts, given), knownParts(was));
+  const fields = state(told.present);
+  if (told.stepped) steps += 1;
   const now = {
-    past: listed(told.past, states, was.past),
-    present: states[told.present],
-    future: listed(told.future, states, was.future),
-    shown: listed(told.shown, entries, was.shown),
+    present: Object.keys(fields).length > 0 ? bare({ ...was.present, ...fields }) : was.present,
+    shown: listed(told.shown, [...was.shown, ...told.entries.map(withPage)], was.shown),
+    undos: told.undos,
+    redos: told.redos,
+    step: told.stepped ? steps : was.step,
   };
-  return Object.entries(now).every(([part, value]) => was[part as keyof History] === value) ? was : now;
+  return { now, edits: told.edits.map(edit) };
 }
 
 /** Removes empty unplaced text and default storyboard settings. */
@@ -127,7 +183,7 @@ function withGiven(parts: Difference['parts'], given: readonly PageDocument[]): 
 }
 
 /** In the order in which the core counts them (`knowing` in `crates/model/src/kept.rs`). */
-function knownParts({ present, shown }: History): Known {
+function knownParts({ present, shown }: Mirror): Known {
   const { tray, page, others, mine, favourites, ownLayouts, settings, draft, waiting = [], board } = present;
   return {
     items: tray,
@@ -144,7 +200,7 @@ function knownParts({ present, shown }: History): Known {
 }
 
 /** @returns the old list if nothing changed */
-function listed<T>(runs: Runs, all: readonly T[], before: readonly T[]): readonly T[] {
+function listed(runs: Runs, all: readonly Shown[], before: readonly Shown[]): readonly Shown[] {
   const list = runs.flatMap(([first, count]) => all.slice(first, first + count));
   return list.length === before.length && list.every((one, i) => one === before[i]) ? before : list;
 }

@@ -1,12 +1,12 @@
 /**
- * Undo and redo as lists of complete states with ids instead of pixels, and the page history. Undo does not remove
- * pages from the page history. The core changes them (`crates/engine/src/document/editor.rs`).
+ * Undo and redo, and the page history. Undo does not remove pages from the page history. The core has all states
+ * (`crates/engine/src/document/editor.rs`). The app has a copy of the parts that it shows.
  */
 
 import { EMPTY_PROJECT } from './empty.ts';
-import type { Edit, History, How, Shown } from '../engine/types.ts';
+import type { Edit, How, Project, Shown } from '../engine/types.ts';
 
-export type { History, Shown };
+export type { Shown };
 
 /**
  * A change of the history: an edit with its recording mode, or undo and redo. `silent` amends the present without an
@@ -16,9 +16,19 @@ export type { History, Shown };
  */
 export type Change = Edit & How;
 
-export const EMPTY_HISTORY: History = Object.freeze({
-  past: Object.freeze([]),
+/** A history without steps. */
+export type Beginning = { present: Project; shown: readonly Shown[] };
+
+/**
+ * The copy: the present, the page history, and the number of steps to undo and to redo. `step` changes with each undo
+ * step, and when one is undone or redone.
+ */
+export type Mirror = Beginning & { undos: number; redos: number; step: number };
+
+export const EMPTY_MIRROR: Mirror = Object.freeze({
   present: EMPTY_PROJECT,
-  future: Object.freeze([]),
   shown: Object.freeze([]),
+  undos: 0,
+  redos: 0,
+  step: 0,
 });

@@ -86,10 +86,10 @@ test('a surprise has the wanted number of panels', async () => {
 test('one drag of a cut is one step of the undo', async () => {
   const { reshaping, pages, store, page } = await app();
   const { layout } = page();
-  const steps = store.history.value.past.length;
+  const steps = store.mirror.value.undos;
   for (const fraction of [0.4, 0.5, 0.6]) reshaping.moveCut(0, { fraction, slant: 0 }, 'drag');
   expect(store.layoutFacts.value?.cuts[0].fraction).toBeCloseTo(0.6);
-  expect(store.history.value.past.length).toBe(steps + 1);
+  expect(store.mirror.value.undos).toBe(steps + 1);
   pages.undo();
   expect(page().layout).toBe(layout);
 });
@@ -98,7 +98,7 @@ test('panels are joined as one step of the undo, where one panel is to be made o
   const { reshaping, pages, store, page } = await app();
   pages.chooseLayout('grid-4');
   const { layout, panels } = page();
-  const steps = store.history.value.past.length;
+  const steps = store.mirror.value.undos;
   expect(reshaping.cannotJoin([0])).toBe(strings.merging.few);
   expect(reshaping.cannotJoin([0, 3])).toBe(strings.merging.uneven);
   reshaping.joinPanels([0, 3]);
@@ -107,7 +107,7 @@ test('panels are joined as one step of the undo, where one panel is to be made o
   reshaping.joinPanels([0, 2]);
   expect(page().panels.length).toBe(panels.length - 1);
   expect(page().layout).toMatchObject({ family: 'custom' });
-  expect(store.history.value.past.length).toBe(steps + 1);
+  expect(store.mirror.value.undos).toBe(steps + 1);
   pages.undo();
   expect(page().layout).toBe(layout);
 });

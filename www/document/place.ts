@@ -1,13 +1,18 @@
 /** Storage place of a project. */
 
 import { freshId } from './fresh-id.ts';
-import type { History } from './history.ts';
 
 /**
  * `stamp` identifies the last write, empty before the first. Saving updates it here. The object identifies the project
- * while it is open. `stored` is the history in the database, if the journal has a newer one.
+ * while it is open. `behind`: how the database is behind, if it is. It has the state before the edits of the journal, with
+ * which the changes of the editor begin, or an unrelated state.
  */
-export type Place = { readonly id: string; readonly created: number; stamp: string; readonly stored?: History };
+export type Place = {
+  readonly id: string;
+  readonly created: number;
+  stamp: string;
+  readonly behind?: 'journal' | 'wholly';
+};
 
 /** @returns the place of a project that is not stored yet */
 export function freshPlace(): Place {

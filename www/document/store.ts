@@ -7,7 +7,7 @@ import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { chronological, inFilmOrder, isUsed, unreadMeta, withFacts } from './album.ts';
 import { failure } from '../engine/protocol.ts';
 import { createEditing } from './editing.ts';
-import { EMPTY_HISTORY } from './history.ts';
+import { EMPTY_MIRROR } from './history.ts';
 import { freshPlace } from './place.ts';
 import type { Thumbnail } from '../engine/photo-header.ts';
 import type { Planner, Unseen } from '../engine/core.ts';
@@ -15,7 +15,7 @@ import type { Intent, LayoutChoice, PageSettings, Template } from '../engine/typ
 import type { Place } from './place.ts';
 import type { Album, Fact, Verdict, Video } from './album.ts';
 import type { Editing } from './editing.ts';
-import type { Change, History } from './history.ts';
+import type { Change, Mirror } from './history.ts';
 import type { TrayItem } from './project.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
@@ -25,8 +25,8 @@ export type Progress = { done: number; total: number };
 
 /** @param onRefused receives the error of an edit that the core rejects */
 export function createStore({ onRefused = () => {} }: { onRefused?: (error: Error) => void } = {}) {
-  const history = signal(EMPTY_HISTORY);
-  /** Contains the history; null until the core is loaded. */
+  const mirror = signal(EMPTY_MIRROR);
+  /** Contains the history; null until the core is loaded, or nothing was changed. */
   let editing: Editing | null = null;
   /** Changes before the core was loaded. */
   let early: Change[] = [];
@@ -59,9 +59,9 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   /** Whether the sample album is on its way. */
   const fetching = signal(false);
 
-  const project = computed(() => history.value.present);
+  const project = computed(() => mirror.value.present);
   /** The page history: the last state of each page, in the order in which the pages were first shown. */
-  const pageHistory = computed(() => history.value.shown);
+  const pageHistory = computed(() => mirror.value.shown);
   /** The versions of the current page. In a project of one page, the whole page history. */
   const versions = computed(() => pageHistory.value.filter(({ sheet = 0 }) => sheet === project.value.sheet));
   const page = computed(() => project.value.page);
@@ -146,7 +146,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
 
   /** The photos of the pages shown and the place of the current one, as text. */
   const shown = computed(() => {
-    const { shown, present } = history.value;
+    const { shown, present } = mirror.value;
     if (!present.page || shown.length === 0) return '';
     return JSON.stringify([
       present.sheet,
@@ -189,19 +189,19 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   });
 
   return {
-    /** All states, for storage only. */
-    history: computed(() => history.value) as ReadonlySignal<History>,
-    canUndo: computed(() => history.value.past.length > 0),
-    canRedo: computed(() => history.value.future.length > 0),
-    /** A value that changes with each undo step, and when one is undone or redone. */
-    step: computed((): unknown => history.value.past),
+    /** A new object with each change of the history. */
+    mirror: computed(() => mirror.value) as ReadonlySignal<Mirror>,
+    canUndo: computed(() => mirror.value.undos > 0),
+    canRedo: computed(() => mirror.value.redos > 0),
+    /** A number that changes with each undo step, and when one is undone or redone. */
+    step: computed(() => mirror.value.step),
     pageHistory,
     versions,
     /** Index of the current page among its versions, or -1. */
     versionIndex: computed(() =>
       page.value === null ? -1 : versions.value.findIndex(({ id }) => id === project.value.pageId),
     ),
-    /** The history and its editor, for replacing and restoring them. */
+    /** The editor with the history, for saving, replacing and restoring it. */
     editing: () => editing,
     /** Plans pages of the project from the photos in use. Throws while there is no planner. */
     plans: () => (editing ?? begun()).plans(photos.peek()),
@@ -257,51 +257,54 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   /** Applies a change. Throws `invalid-document` for an invalid change, and changes nothing. */
   function change(change: Change) {
     if (editing === null && planner.peek() === null) early.push(change);
-    else history.value = after(change);
+    else mirror.value = after(change);
   }
 
-  function after(change: Change): History {
+  function after(change: Change): Mirror {
+    const own = editing ?? begun();
     try {
-      return (editing ?? begun()).apply(change, photos.peek());
+      return own.apply(change, photos.peek());
     } catch (error) {
-      // An editor that broke is of no use any more; all that it had is here. An error of the core has a code.
-      if ((error as { code?: unknown }).code === undefined) editing = null;
+      // An editor that broke is of no use any more. An error of the core has a code.
+      if ((error as { code?: unknown }).code === undefined) revive(own);
       onRefused(error as Error);
       throw error;
     }
   }
 
+  function revive(own: Editing) {
+    try {
+      own.revive(fresh());
+      mirror.value = own.mirror();
+    } catch {
+      // The next change tries it again.
+    }
+  }
+
   /**
-   * Replaces the document. Throws if the new document is invalid, and changes nothing.
-   * @param other `editing`: its editor with the history; `place`: its storage place, omitted if the project stays the
-   *   same
+   * Replaces the document.
+   * @param other `editing`: its editor, null for an empty project; `place`: its storage place, omitted if the project
+   *   stays the same
    */
-  function load(other: {
-    history: History;
-    editing?: Editing | null;
-    album: Album;
-    videos: ReadonlyMap<string, Video>;
-    place?: Place;
-  }) {
-    const next = other.editing ?? (other.history === history.peek() ? editing : edited(other.history));
+  function load(other: { editing: Editing | null; album: Album; videos: ReadonlyMap<string, Video>; place?: Place }) {
     batch(() => {
-      editing = next;
+      editing = other.editing;
       early = [];
       place.value = other.place ?? place.peek();
       album.value = other.album;
       videos.value = other.videos;
-      history.value = next?.history() ?? other.history;
+      mirror.value = editing?.mirror() ?? EMPTY_MIRROR;
     });
   }
 
   function begun() {
-    editing = edited(history.peek());
+    editing = createEditing(fresh());
     return editing;
   }
 
-  function edited(from: History) {
+  function fresh() {
     const core = planner.peek();
     if (!core) throw failure('core-missing', 'The program is not loaded yet.');
-    return createEditing(core.createEditor(), from);
+    return core.createEditor();
   }
 }

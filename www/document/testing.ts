@@ -7,9 +7,10 @@ import { createPages } from './pages.ts';
 import { DEFAULT_SETTINGS } from './empty.ts';
 import { createReading } from '../photos/reading.ts';
 import { core } from '../engine/testing-core.ts';
+import { expanded, recordIn } from '../engine/interned.ts';
 import { createScheduler } from '../engine/scheduler.ts';
 import { createStore } from './store.ts';
-import type { Layout, PageDocument, PhotoMeta, VerdictReason } from '../engine/types.ts';
+import type { History, Layout, PageDocument, PhotoMeta, VerdictReason } from '../engine/types.ts';
 import type { Editing } from './editing.ts';
 import type { Store } from './store.ts';
 import type { Change } from './history.ts';
@@ -52,6 +53,11 @@ export function edited(...changes: readonly Change[]): Editing {
   const editing = createEditing(core.createEditor());
   changes.forEach((change) => editing.apply(change));
   return editing;
+}
+
+/** The complete history in an editor, as plain data. */
+export function historyOf(editing: Editing | null): History {
+  return expanded(recordIn((editing ?? edited()).save().bytes).history);
 }
 
 /** The core, with a record of its calls. */

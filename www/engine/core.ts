@@ -3,8 +3,6 @@
  */
 
 import initCore, * as core from '../pkg/inkpanel.js';
-import { expanded, interned } from './interned.ts';
-import { failure } from './protocol.ts';
 import type { Program } from './protocol.ts';
 import type {
   Block,
@@ -19,17 +17,14 @@ import type {
   DraftFacts,
   GenerateRequest,
   Geometry,
-  History,
   Layout,
   LayoutChoice,
   LayoutEntry,
   LayoutFacts,
-  Loaded,
   Obstacles,
   PageDocument,
   PageSettings,
   PhotoMeta,
-  ReadHistory,
   ReadProject,
   Request,
   Sheet,
@@ -53,8 +48,6 @@ export async function startCore(program: Program) {
 
 export type Planner = ReturnType<typeof createPlanner>;
 export type Editor = ReturnType<typeof createEditor>;
-/** A history of a record, not validated. */
-export type KeptHistory = { version?: unknown; history?: unknown };
 /**
  * Options for planning a page. Omitted fields use the project's settings. `photos`: photos to use (default: photos that
  * are free for the page). `anew`: ignore the existing page.
@@ -135,16 +128,18 @@ export function createPlanner() {
   };
 }
 
-/** The editor of a project. The app has a readable copy of its history. */
+/** The editor of a project. It has the history, of which the app has a readable copy of a part. */
 function createEditor(album: KnownPhotos) {
   const editor = new core.Editor();
   return {
     /**
      * Replaces the history by one that is not validated, and checks all of it. Throws `damaged-project`,
-     * `newer-project` or `too-large-project`, and then nothing changed.
-     * @returns the dropped parts, and ids for a new page and a new sheet
+     * `newer-project` or `too-large-project`, or `invalid-document` for the journal, and then nothing changed.
+     * @param bytes as from `save`
+     * @param journal changes that were made since, as JSON: a list of lists of edits
+     * @returns the difference to an empty project
      */
-    load: (record: KeptHistory): Loaded => JSON.parse(editor.load(textOf(record))),
+    load: (bytes: Uint8Array, journal = ''): Difference => JSON.parse(editor.load(bytes, journal)),
     /**
      * Throws `invalid-document`, and for intents the errors of the planner. Then nothing changed.
      * @param edit as JSON
@@ -157,10 +152,10 @@ function createEditor(album: KnownPhotos) {
       JSON.parse(editor.preview(album.using(photos), edit)),
     /** @returns why panels of the current page cannot be merged or joined; null if nothing prevents it */
     obstacles: (panels: readonly number[]): Obstacles => JSON.parse(editor.obstacles(JSON.stringify(panels))),
-    save: (): History => {
-      const { history }: ReadHistory = JSON.parse(editor.save());
-      return expanded(history);
-    },
+    /** @returns the history with tables: JSON in UTF-8 */
+    save: (): Uint8Array<ArrayBuffer> => editor.save() as Uint8Array<ArrayBuffer>,
+    /** @returns the ids of all photos of the history */
+    photos: (): string[] => JSON.parse(editor.photos()),
     plans: (photos: readonly PhotoMeta[]) => plansOf(editor, album.using(photos)),
   };
 }
@@ -197,15 +192,6 @@ function plansOf(editor: core.Editor, album: core.Album) {
 
 function idsOf(photos: readonly PhotoMeta[]): string {
   return JSON.stringify(photos.map(({ id }) => id));
-}
-
-function textOf({ version, history }: KeptHistory): string {
-  try {
-    return JSON.stringify({ version, history: interned(history) });
-  } catch {
-    // A cyclic structure, or a number that is not finite.
-    throw failure('damaged-project', 'history: is not plain data');
-  }
 }
 
 type KnownPhotos = ReturnType<typeof createAlbum>;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { edited, pageOf } from '../document/testing.ts';
+import { edited, historyOf, pageOf } from '../document/testing.ts';
 import { expanded, interned } from './interned.ts';
 import type { Change } from '../document/history.ts';
 import type { TabledHistory } from './types.ts';
@@ -21,7 +21,7 @@ function worked() {
     { type: 'use-photos', uses: { b: false } },
     { type: 'undo' },
   ];
-  return edited(...changes).history();
+  return historyOf(edited(...changes));
 }
 
 describe('a history with tables', () => {

@@ -3,11 +3,16 @@
  * refer to them by index (see `crates/model/src/kept.rs`). 500 states of one tray cost one tray.
  */
 
+import { failure } from './protocol.ts';
 import type {
+  Edit,
   History,
+  How,
+  KeptEdit,
   KeptShown,
   KeptState,
   PageDocument,
+  PageSettings,
   Project,
   Sheet,
   Shown,
@@ -17,6 +22,35 @@ import type {
 } from './types.ts';
 
 type Plain = Record<string, unknown>;
+/** A history of a record, not validated. */
+export type KeptHistory = { version?: unknown; history?: unknown };
+
+/**
+ * Throws `damaged-project` if it is not plain data.
+ * @param record a history as objects
+ * @returns the bytes of this history for an editor: JSON in UTF-8
+ */
+export function bytesOf({ version, history }: KeptHistory): Uint8Array<ArrayBuffer> {
+  try {
+    return encoded({ version, history: interned(history) });
+  } catch {
+    // A cyclic structure, or a number that is not finite.
+    throw failure('damaged-project', 'history: is not plain data');
+  }
+}
+
+/** @returns a record with tables as bytes for an editor */
+export function encoded(record: object): Uint8Array<ArrayBuffer> {
+  return new TextEncoder().encode(JSON.stringify(record));
+}
+
+/**
+ * @param bytes from an editor
+ * @returns their JSON, not validated
+ */
+export function recordIn(bytes: Uint8Array): { version: number; history: TabledHistory } {
+  return JSON.parse(new TextDecoder().decode(bytes));
+}
 
 /** Fields of a state that are in a table. */
 const PARTS: readonly [field: Tabled, table: keyof Tables][] = [
@@ -119,7 +153,7 @@ export type Known = Partial<Omit<Tables, 'sheets'>> & { sheets?: readonly Sheet[
 /**
  * @param told tables from the core
  * @param known parts at the start of the tables
- * @returns functions that replace indices by parts: in a state or some of its fields, and in objects with a page
+ * @returns functions that replace indices by parts: in a state or some of its fields, in objects with a page, and in edits
  */
 export function joinedWith(told: Tables, known: Known = {}) {
   const pages = joined(known.pages, told.pages);
@@ -148,6 +182,14 @@ export function joinedWith(told: Tables, known: Known = {}) {
     state: (fields: Partial<KeptState>): Partial<Project> =>
       Object.fromEntries(Object.entries(fields).map(([field, value]) => [field, part(field, value)])),
     withPage: (entry: KeptShown): Shown => paged(entry),
+    edit: (edit: KeptEdit): Edit & How => {
+      if (edit.type === 'set-sheets') return { ...edit, sheets: edit.sheets.map(paged) };
+      if (edit.type === 'no-page') return edit;
+      const page = edit.page === undefined ? null : pages[edit.page];
+      if (edit.type === 'change-settings')
+        return { ...edit, page, settings: tables.settings[edit.settings] as PageSettings };
+      return { ...edit, page: page as PageDocument };
+    },
   };
 
   function isTabled(field: string): field is Tabled {

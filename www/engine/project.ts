@@ -1,5 +1,6 @@
 /** A project for other sites: the editor of the core with its history as plain data. */
 
+import { bytesOf, expanded, recordIn } from './interned.ts';
 import { VERSION } from './versions.ts';
 import type { Planner, Wish } from './core.ts';
 import type { Draw, Edit, History, How, PageDocument, PhotoMeta, Project } from './types.ts';
@@ -13,8 +14,8 @@ export type ProjectEditor = ReturnType<typeof createProject>;
  */
 export function createProject(planner: Planner, history?: History) {
   const editor = planner.createEditor();
-  let { pageId } = history ? editor.load({ version: VERSION, history }) : { pageId: 0 };
-  let now = editor.save();
+  let { pageId } = history ? editor.load(bytesOf({ version: VERSION, history })) : { pageId: 0 };
+  let now = saved();
   let photos: PhotoMeta[] = [];
 
   return {
@@ -60,7 +61,11 @@ export function createProject(planner: Planner, history?: History) {
    */
   function edit(change: Edit & How): Project {
     ({ pageId } = editor.apply(JSON.stringify(change), inUse()));
-    now = editor.save();
+    now = saved();
     return now.present;
+  }
+
+  function saved(): History {
+    return expanded(recordIn(editor.save()).history);
   }
 }

@@ -1827,18 +1827,18 @@ export type BreedRequest = { a: StyleChoice, b: StyleChoice, seed: number,
 export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>, words: ReadonlyArray<Word>, waits: ReadonlyArray<ReadonlyArray<number>>, boards: ReadonlyArray<Board>,
 };
 
-/** The difference after an edit, see `difference` in `crates/model/src/kept.rs`. */
+/** The difference after a change, see `difference` in `crates/model/src/kept.rs`. */
 export type Difference = {
-  /** New states: the state with this index, with these fields replaced. */
-  states: ReadonlyArray<[of: number, fields: Partial<KeptState>]>, past: Runs, present: number, future: Runs, entries: ReadonlyArray<KeptShown>, shown: Runs, parts: Tables,
-  /** An id for a new page, */
-  pageId: number,
-  /** and one for a new place. */
-  sheet: number,
-};
-
-/** A history that was put into an editor. */
-export type Loaded = {
+  /** The fields that changed. */
+  present: Partial<KeptState>, shown: Runs, entries: ReadonlyArray<KeptShown>,
+  /** The edits that an intent led to. */
+  edits: ReadonlyArray<KeptEdit>, parts: Tables, undos: number, redos: number,
+  /** Whether the steps to undo are others. */
+  stepped: boolean,
+  /** Whether the history changed at all. */
+  changed: boolean,
+  /** Number of earlier changes that a journal need not have. */
+  includes: number,
   /** Dropped parts, as sentences. */
   dropped: ReadonlyArray<string>,
   /** An id for a new page, */
@@ -2031,6 +2031,15 @@ export type KeptState = Omit<Project, Tabled> & {
 /** A page of a storyboard, and a version of a page. Their pages are stored in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };
 export type KeptShown = Omit<Shown, 'page'> & { page: number };
+
+/** An edit that an intent led to. Its pages and settings are stored in tables. */
+export type KeptEdit = How & (
+| { type: 'show-page'; page: number; pageId: number }
+| { type: 'change-page'; page: number }
+| { type: 'change-settings'; settings: number; page?: number }
+| { type: 'set-sheets'; sheets: ReadonlyArray<KeptSheet>; at: number }
+| { type: 'no-page' }
+);
 
 /** Codes of the errors of the core. */
 export type ErrorCode =

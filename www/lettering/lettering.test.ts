@@ -53,7 +53,7 @@ beforeEach(async () => {
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
 });
 
-const past = () => store.history.peek().past.length;
+const past = () => store.mirror.peek().undos;
 
 describe('words', () => {
   test('one is added, placed and chosen as one step', async () => {

@@ -35,7 +35,7 @@ it('is called after its folder, or its days, which follow the photos that come',
   await tab.keeping.create();
   await add(photo('d.jpg', { folders: ['Lisbon'] }));
   expect(name()).toBe('Lisbon');
-  expect(tab.store.history.value.past).toEqual([]);
+  expect(tab.store.mirror.value.undos).toBe(0);
 });
 
 it('keeps the name that a person gave it, and gets its own again when that is taken away', async () => {

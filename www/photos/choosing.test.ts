@@ -28,9 +28,9 @@ test('to take another, to set how alike photos are and to order them are each on
   expect(app.store.project.value.alike).toBe(asked);
   choosing.setOrder('name');
   expect(app.store.project.value.order).toBe('name');
-  const { length } = app.store.history.value.past;
+  const { undos } = app.store.mirror.value;
   choosing.setOrder('name');
-  expect(app.store.history.value.past.length).toBe(length);
+  expect(app.store.mirror.value.undos).toBe(undos);
 });
 
 test('a star that cannot enlarge its panel says why', async () => {

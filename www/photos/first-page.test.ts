@@ -48,8 +48,8 @@ describe('the first page', () => {
     expect(store.sketch.value).toBe(false);
     expect(names()).toEqual(['0.jpg', '2.jpg', '3.jpg', '4.jpg', '5.jpg', '6.jpg']);
     expect(planner.wishes.at(-1)).toMatchObject({ type: 'compose', photos: { length: 6 }, panels: 6 });
-    expect(store.history.value.past).toEqual([]);
-    expect(store.history.value.shown.length).toBe(1);
+    expect(store.mirror.value.undos).toBe(0);
+    expect(store.mirror.value.shown.length).toBe(1);
   });
 
   test('has a sketch for the sizes in the headers of its photos', async () => {
@@ -207,9 +207,9 @@ describe('the first page', () => {
     await vi.advanceTimersByTimeAsync(50);
     expect(store.sketch.value).toBe(true);
     const editing = edited({ type: 'show-page', page: pageOf(77), pageId: 1 });
-    expect(editing.history().present.pageId).toBe(store.project.value.pageId);
+    expect(editing.mirror().present.pageId).toBe(store.project.value.pageId);
     const place = { ...store.place.value, id: 'another' };
-    store.load({ history: editing.history(), editing, album: new Map(), videos: new Map(), place });
+    store.load({ editing, album: new Map(), videos: new Map(), place });
     await vi.advanceTimersByTimeAsync(1000);
     expect(store.sketch.value).toBe(false);
     expect(store.page.value?.seed).toBe(77);

@@ -21,7 +21,7 @@ test('a rotated photo replaces the photo in the tray and on the page, as one ste
   const [before, id] = [store.project.value, photoAt(1)];
   const place = store.tray.value.findIndex((item) => item.id === id);
   store.change({ type: 'star-photo', id, on: true });
-  const steps = store.history.value.past.length;
+  const steps = store.mirror.value.undos;
   await rotating.rotate(() => id, 'right');
   const fresh = photoAt(1);
   expect(rotated).toEqual([{ id, rotation: 'right' }]);
@@ -30,7 +30,7 @@ test('a rotated photo replaces the photo in the tray and on the page, as one ste
   expect(store.tray.value[place]).toMatchObject({ id: fresh, starred: true });
   expect(store.album.value.get(fresh)?.name).toBe(store.album.value.get(id)?.name);
   expect(engine.files.get(fresh).name).toBe(store.album.value.get(id)?.name);
-  expect(store.history.value.past.length - steps).toBe(1);
+  expect(store.mirror.value.undos - steps).toBe(1);
   pages.undo();
   pages.undo();
   expect(store.project.value.page).toEqual(before.page);
@@ -96,14 +96,14 @@ test('its crops are computed again on all pages', async () => {
 
 test('rotations that follow each other quickly add up, and each is a step', async () => {
   const { store, rotating, rotated, photoAt } = await app();
-  const steps = store.history.value.past.length;
+  const steps = store.mirror.value.undos;
   const done = [rotating.rotate(() => photoAt(0), 'right'), rotating.rotate(() => photoAt(0), 'right')];
   expect(rotating.busy()).toBe(true);
   await Promise.all(done);
   expect(rotating.busy()).toBe(false);
   expect(rotated.length).toBe(2);
   expect(rotated[1].id).not.toBe(rotated[0].id);
-  expect(store.history.value.past.length - steps).toBe(2);
+  expect(store.mirror.value.undos - steps).toBe(2);
 });
 
 test('a photo that cannot be rotated is named, and nothing changes', async () => {

@@ -56,7 +56,7 @@ test('a better choice of photos replaces the first page, in its layout and style
   search();
   expect(names()).toEqual(expect.arrayContaining(['8.jpg', '9.jpg']));
   expect([store.page.value?.layout, store.page.value?.style]).toEqual([before?.layout, before?.style]);
-  expect(store.history.value.past.length).toBe(1);
+  expect(store.mirror.value.undos).toBe(1);
   expect(messages.list.value.length).toBe(1);
   pages.undo();
   expect(names()).toEqual(first);
@@ -67,7 +67,7 @@ test('a page that was hardly visible is replaced without a step', async () => {
   clock.now = 900;
   search();
   expect(names()).toContain('9.jpg');
-  expect([store.history.value.past, messages.list.value]).toEqual([[], []]);
+  expect([store.mirror.value.undos, messages.list.value]).toEqual([0, []]);
 });
 
 test('it is replaced once at most', async () => {

@@ -36,20 +36,23 @@ export type ProjectRecord = {
 };
 
 export type KeptVideo = Omit<Video, 'file'> & { fileKey: string };
+/** `bytes`: the history, as an editor wrote it */
 export type StateRecord = {
   id: string;
   version: number;
   stamp: string;
-  history: History;
+  bytes: Uint8Array<ArrayBuffer>;
   facts: string[];
   videos: KeptVideo[];
 };
+/** The document of a record that an earlier version wrote (`state-records.ts`). */
+type EarlierRecord = { history: History };
 /** The states of a project that were drawn (`drawn-states.ts`). */
 type DrawnRecord = { id: string; version: number; drawn: readonly Project[]; facts: string[] };
 /** Dates since when photos are unused (`orphans.ts`), in ms by key. */
 type OrphansRecord = { id: string; since: Map<string, number> };
 /** A record in `states`, not validated. */
-type AnyState = { id: string } & Partial<StateRecord & DrawnRecord & OrphansRecord>;
+export type AnyState = { id: string } & Partial<StateRecord & EarlierRecord & DrawnRecord & OrphansRecord>;
 type FactRecord = { id: string; fact: Fact };
 
 /** Photo bytes in a database that does not accept Blobs: WebKit in a private window. */

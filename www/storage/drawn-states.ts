@@ -55,6 +55,8 @@ export function createDrawnStates({ store }: { store: Pick<Store, 'project' | 'p
   function of(place: Place): readonly Project[] {
     const before = kept.get(place) ?? [];
     if (last?.place !== place || before.at(-1) === last.project) return before;
+    // A state that was restored is another object.
+    if (JSON.stringify(before.at(-1)) === JSON.stringify(last.project)) return before;
     const now = [...before, last.project].slice(-MOST);
     kept.set(place, now);
     return now;

@@ -1,4 +1,5 @@
 import { describe, expect, it, vi } from 'vitest';
+import { encoded, recordIn } from '../engine/interned.ts';
 import { fakeBrowser } from './testing.ts';
 
 vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
@@ -51,7 +52,10 @@ describe('storage that takes no more', () => {
     const store = IDBObjectStore.prototype as any;
     const { put: original } = store;
     vi.spyOn(store, 'put').mockImplementation(function put(value: any) {
-      return original.call(this, value.history ? { ...value, history: { ...value.history, shown: [] } } : value);
+      return original.call(
+        this,
+        value.bytes ? { ...value, bytes: encoded({ ...recordIn(value.bytes), gesture: 'other' }) } : value,
+      );
     });
     await tab.add('a.jpg');
     expect(tab.keeping.status.value).toBe('failed');

@@ -6,7 +6,6 @@
 import { computed, effect, signal } from '@preact/signals';
 import { failure } from '../engine/protocol.ts';
 import { strings } from '../strings/strings.ts';
-import { EMPTY_HISTORY } from '../document/history.ts';
 import { freshPlace } from '../document/place.ts';
 import { projectLock } from './locks.ts';
 import { drawnOnce, exchanged, rehearsed } from './rehearsing.ts';
@@ -205,7 +204,7 @@ export function createOpening({
       const found = await readProject(base, id, engine.ready, journal.recall);
       await arrive(found, free).catch(async (error) => {
         // The edits in the journal may be the reason for the error.
-        if (!found.place.stored || isOutside(error)) throw error;
+        if (!found.place.behind || isOutside(error)) throw error;
         await arrive(await readProject(base, id, engine.ready), free);
       });
     } catch (error) {
@@ -246,13 +245,7 @@ export function createOpening({
    */
   async function create(): Promise<boolean> {
     try {
-      await enter(freshPlace(), {
-        history: EMPTY_HISTORY,
-        album: new Map(),
-        videos: new Map(),
-        records: [],
-        unread: [],
-      });
+      await enter(freshPlace(), { album: new Map(), videos: new Map(), records: [], unread: [] });
       return true;
     } catch (error) {
       say(error);
@@ -320,8 +313,8 @@ export function createOpening({
   async function goOnAsCopy() {
     const next = freshPlace();
     const lock = await lockOf(next);
-    const [history, album, videos] = [store.history.peek(), store.album.peek(), store.videos.peek()];
-    store.load({ history, album, videos, place: next });
+    const [album, videos] = [store.album.peek(), store.videos.peek()];
+    store.load({ editing: store.editing(), album, videos, place: next });
     arrived(next, lock);
   }
 
@@ -371,8 +364,6 @@ export function createOpening({
     const states = await drawnOf(base, id, engine.ready);
     return tried(states, async (state) => {
       await arrive({ ...(await readState(base, id, state)), drawn: [...states] }, free);
-      // The database has the state that cannot be drawn.
-      store.load({ history: { ...store.history.peek() }, album: store.album.peek(), videos: store.videos.peek() });
     });
   }
 

@@ -7,6 +7,7 @@ import { wellFormed } from '../document/limits.ts';
 import { drawnId, isProjectId } from './drawn-states.ts';
 import { projectLock } from './locks.ts';
 import { isGone } from './restoring.ts';
+import { withName } from './state-records.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Database, ProjectRecord } from './database.ts';
@@ -57,7 +58,10 @@ export function createProjects({
     return copy !== null && opening.open(copy);
   }
 
-  /** @returns the id of the copy */
+  /**
+   * Copies a project. An unreadable state is copied unchanged.
+   * @returns the id of the copy
+   */
   async function duplicate(id: string): Promise<string | null> {
     try {
       if (id === current.peek()) await saving.flush();
@@ -68,12 +72,9 @@ export function createProjects({
       const [copy, stamp, now] = [freshId(), freshId(), Date.now()];
       const [entry] = entryOf({ ...project, id });
       const name = strings.nameOfCopy(entry.name || strings.untitled);
-      // An unreadable state is copied unchanged.
-      const { history } = state;
-      const named = history?.present ? { ...history, present: { ...history.present, name } } : history;
       await Promise.all([
         projects.put({ ...entry, ...project, id: copy, stamp, name, created: now, changed: now, gone: null }),
-        states.put({ ...state, id: copy, stamp, history: named }),
+        states.put({ ...withName(state, name), id: copy, stamp }),
         ...(drawn ? [states.put({ ...drawn, id: drawnId(copy) })] : []),
         all.done,
       ]);
@@ -124,23 +125,9 @@ export function createProjects({
     const [projects, states] = [all.objectStore('projects'), all.objectStore('states')];
     const [project, state, drawn] = await Promise.all([projects.get(id), states.get(id), states.get(drawnId(id))]);
     const named = <T>(states: readonly T[]): T[] => states.map((one) => ({ ...one, name }));
-    const history = state?.history;
     await Promise.all([
       projects.put({ ...((project ?? entryOf({ id })[0]) as ProjectRecord), name }),
-      ...(history?.present
-        ? [
-            states.put({
-              ...state,
-              id,
-              history: {
-                ...history,
-                past: named(history.past ?? []),
-                present: { ...history.present, name },
-                future: named(history.future ?? []),
-              },
-            }),
-          ]
-        : []),
+      ...(state ? [states.put(withName(state, name, { all: true }))] : []),
       ...(drawn?.drawn ? [states.put({ ...drawn, drawn: named(drawn.drawn) })] : []),
       all.done,
     ]);

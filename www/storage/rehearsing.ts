@@ -32,10 +32,9 @@ export function rehearsed(
   content: Content,
   { planner, shared, join = false }: { planner: Planner; shared: Partial<SharedLists>; join?: boolean },
 ): Rehearsed {
-  const opened = content.editing?.history() === content.history ? content.editing : null;
-  const editing = opened ?? createEditing(planner.createEditor(), content.history);
+  const editing = content.editing ?? createEditing(planner.createEditor(), content.history);
   editing.apply({ type: join ? 'join' : 'share', lists: shared });
-  const whole = { ...content, history: editing.history(), editing };
+  const whole = { ...content, editing };
   const stage = createStore();
   stage.planner.value = planner;
   stage.load(whole);
@@ -60,10 +59,10 @@ export function rehearsed(
  * @returns rejects if the engine does not accept the page
  */
 export async function drawnOnce(
-  { history, records }: Content,
+  { editing, records }: Rehearsed,
   { photos, renderPage }: { photos: Photos; renderPage: Engine['renderPage'] },
 ): Promise<void> {
-  const { page } = history.present;
+  const { page } = editing.mirror().present;
   if (!page) return;
   const fresh = addTo(photos, records);
   try {
@@ -86,12 +85,11 @@ export async function drawnOnce(
  * @returns two functions: one confirms the exchange, the other reverts it
  */
 export function exchanged(
-  { history, editing, album, videos, records }: Rehearsed,
+  { editing, album, videos, records }: Rehearsed,
   place: Place,
   { store, photos }: { store: Store; photos: Photos },
 ): { settle: () => void; takeBack: () => void } {
   const before = {
-    history: store.history.peek(),
     editing: store.editing(),
     album: store.album.peek(),
     videos: store.videos.peek(),
@@ -103,7 +101,7 @@ export function exchanged(
     fresh.forEach(photos.forget);
   };
   try {
-    store.load({ history, editing, album, videos, place });
+    store.load({ editing, album, videos, place });
   } catch (error) {
     takeBack();
     throw error;

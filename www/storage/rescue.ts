@@ -7,6 +7,8 @@ import { inBlobs } from './database.ts';
 import { archiveOf } from '../engine/archive.ts';
 import { projectFileName, packedProject, videoKey } from './files/project-file.ts';
 import { nameOf } from './restoring.ts';
+import { expanded, recordIn } from '../engine/interned.ts';
+import { isBytes } from './state-records.ts';
 import type { Database } from './database.ts';
 
 export async function rescued(database: Database, id: string): Promise<{ file: Blob; name: string }> {
@@ -25,7 +27,8 @@ export async function rescued(database: Database, id: string): Promise<{ file: B
   const records = found.flatMap((record) => (record ? inBlobs(record) : [])).filter(({ file }) => file instanceof Blob);
   const files = new Map(records.map((record) => [String(record?.id), record?.file as Blob] as const));
   try {
-    if (!state?.history) throw new TypeError('There is no document.');
+    const { version, history } = isBytes(state?.bytes) ? wholeOf(recordIn(state.bytes)) : (state ?? {});
+    if (!state || !history) throw new TypeError('There is no document.');
     const facts = (await Promise.all(listOf(state.facts).map((key) => database.get('facts', key)))).flatMap((record) =>
       record && files.has(record.id) ? [record.fact] : [],
     );
@@ -34,9 +37,7 @@ export async function rescued(database: Database, id: string): Promise<{ file: B
       return file ? [{ ...video, file }] : [];
     });
     const blobs = new Map([...files, ...films.map(({ key, file }) => [videoKey(key), file] as const)]);
-    const { file } = await packedProject({ history: state.history, facts, videos: films }, blobs, {
-      version: state.version,
-    });
+    const { file } = await packedProject({ history, facts, videos: films }, blobs, { version });
     return { file, name: projectFileName(name) };
   } catch {
     // Not even its parts are what they should be.
@@ -56,18 +57,22 @@ export async function rescued(database: Database, id: string): Promise<{ file: B
   }
 }
 
+function wholeOf({ version, history }: ReturnType<typeof recordIn>) {
+  return { version, history: expanded(history) };
+}
+
 function listOf<Item>(value: readonly Item[] | undefined): readonly Item[] {
   return Array.isArray(value) ? value : [];
 }
 
 /** @returns the value as JSON, as far as possible */
 function textOf(value: unknown): string {
+  const told = (part: unknown) => {
+    if (isBytes(part)) return new TextDecoder().decode(part);
+    return typeof part === 'bigint' || part instanceof Map || part instanceof Set ? String(part) : part;
+  };
   try {
-    return JSON.stringify(
-      value,
-      (_, part) => (typeof part === 'bigint' || part instanceof Map || part instanceof Set ? String(part) : part),
-      1,
-    );
+    return JSON.stringify(value, (_, part) => told(part), 1);
   } catch {
     return String(value);
   }

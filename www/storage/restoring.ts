@@ -10,11 +10,12 @@ import { sheetsOf } from '../engine/sheets.ts';
 import { drawnId } from './drawn-states.ts';
 import { emptyFrames } from '../photos/placeholder.ts';
 import { openEditing } from '../document/editing.ts';
+import { bytesOf } from '../engine/interned.ts';
 import { photosOf } from './snapshot.ts';
+import { bytesIn } from './state-records.ts';
 import type { Fact, Video } from '../document/album.ts';
 import type { Editing } from '../document/editing.ts';
-import type { KeptHistory } from '../engine/core.ts';
-import type { History } from '../document/history.ts';
+import type { Beginning } from '../document/history.ts';
 import type { Project } from '../document/project.ts';
 import type { Planner } from '../document/store.ts';
 import type { Database, KeptVideo, PhotoRecord, ProjectRecord, StateRecord } from './database.ts';
@@ -26,7 +27,7 @@ type Ready = Promise<Planner>;
 /**
  * Parts of a stored project:
  *
- * - `editing`: an editor, which may have another history
+ * - `editing`: the editor with its history; or `history`, if it has no undo steps; an empty project without both
  * - `records`: photo records of the database
  * - `unread`: files that must be decoded again
  * - `films`: keys of videos that must be decoded again for their frames
@@ -35,7 +36,7 @@ type Ready = Promise<Planner>;
  * - `dropped`: parts that could not be read
  */
 export type Content = {
-  history: History;
+  history?: Beginning;
   editing?: Editing;
   album: ReadonlyMap<string, Fact>;
   videos: ReadonlyMap<string, Video>;
@@ -49,8 +50,7 @@ export type Content = {
 
 /**
  * @param recall returns edits from the journal that are not in the database
- * @returns rejects with `missing-project`,
- *   `damaged-project` or `newer-project`
+ * @returns rejects with `missing-project`, `damaged-project` or `newer-project`
  */
 export async function readProject(
   database: Database,
@@ -61,14 +61,32 @@ export async function readProject(
   const [place, state] = await Promise.all([placeOf(database, id), database.get('states', id)]);
   if (!state) throw failure('missing-project', 'This project no longer exists.');
   const planner = await ready;
-  const open = (record: KeptHistory) => openEditing(planner.createEditor(), record);
-  const editing = open(state);
-  const [stored, { dropped }] = [editing.history(), editing];
-  const told = recall(id, { stamp: place.stamp, history: stored }, open);
+  const bytes = bytesIn(state);
+  const told = recall(id, place.stamp);
+  const newer = told && replayed(planner, bytes, told.changes);
+  const editing = newer ?? openEditing(planner.createEditor(), bytes);
   const drawn = await drawnOf(database, id, ready);
-  const names = new Map(told?.photos);
-  const content = await contentOf(database, told?.history ?? stored, { drawn, state, names });
-  return { place: told ? { ...place, stored } : place, content: { ...content, editing, dropped }, drawn };
+  const content = await contentOf(database, {
+    ids: new Set([...editing.photos(), ...photosOf(drawn)]),
+    present: editing.mirror().present,
+    state,
+    names: new Map(newer && told?.photos),
+  });
+  return {
+    place: newer ? { ...place, behind: 'journal' } : place,
+    content: { ...content, editing, dropped: editing.dropped },
+    drawn,
+  };
+}
+
+/** @returns an editor with the changes of the journal; null if they do not fit */
+function replayed(planner: Planner, bytes: Uint8Array<ArrayBuffer>, changes: readonly string[]): Editing | null {
+  try {
+    const editing = openEditing(planner.createEditor(), bytes, changes);
+    return editing.dropped.length > 0 ? null : editing;
+  } catch {
+    return null;
+  }
 }
 
 /** @returns the states of a project that were drawn and can be read, the last at the end */
@@ -79,7 +97,7 @@ export async function drawnOf(database: Database, id: string, ready: Ready): Pro
   return drawn.flatMap((present: unknown) => {
     try {
       const history = { past: [], present, future: [], shown: [] };
-      return [openEditing(planner.createEditor(), { version, history }).history().present];
+      return [openEditing(planner.createEditor(), bytesOf({ version, history })).mirror().present];
     } catch {
       return [];
     }
@@ -93,15 +111,16 @@ export async function readState(
   state: Project,
 ): Promise<{ place: Place; content: Content }> {
   const [place, kept] = await Promise.all([placeOf(database, id), database.get('states', id)]);
-  return { place, content: await contentOf(database, beginningWith(state), { state: kept }) };
+  const content = await contentOf(database, { ids: photosOf([state]), present: state, state: kept });
+  return { place: { ...place, behind: 'wholly' }, content: { ...content, history: beginningWith(state) } };
 }
 
 /** with only this state */
-export function beginningWith(state: Project): History {
+export function beginningWith(state: Project): Beginning {
   const shown = sheetsOf(state).map(({ page, pageId, sheet }) =>
     sheet === 0 ? { id: pageId, page } : { id: pageId, page, sheet },
   );
-  return { past: [], present: state, future: [], shown };
+  return { present: state, shown };
 }
 
 /** whether the project exists and is not deleted */
@@ -145,28 +164,28 @@ async function placeOf(database: Database, id: string): Promise<Place> {
 }
 
 /**
- * Restores every photo of the history. Photos without copies or measurements are read again from their files, frames
+ * Restores photos. Photos without copies or measurements are read again from their files, frames
  * from their videos. If the file is missing, an empty frame keeps their place.
- * @param about `drawn`: states whose photos are needed as well; `state`: the stored state; `names`: photo names in the
- *   journal
+ * @param about `ids` of its photos; `present`; `state`: the stored state; `names`: photo names in the journal
  */
 async function contentOf(
   database: Database,
-  history: History,
   {
-    drawn = [],
+    ids: all,
+    present,
     state,
     names = new Map(),
   }: {
-    drawn?: readonly Project[];
+    ids: ReadonlySet<string>;
+    present: Project;
     state: Partial<StateRecord> | undefined;
     names?: ReadonlyMap<string, string>;
   },
-): Promise<Content> {
-  const ids = [...photosOf({ ...history, past: [...history.past, ...drawn] })];
+): Promise<Omit<Content, 'history' | 'editing'>> {
+  const ids = [...all];
   const kept = videosIn(state);
-  const all = database.transaction(['photos', 'facts']);
-  const [photos, factsOf] = [all.objectStore('photos'), all.objectStore('facts')];
+  const turn = database.transaction(['photos', 'facts']);
+  const [photos, factsOf] = [turn.objectStore('photos'), turn.objectStore('facts')];
   const [found, told, films] = await Promise.all([
     there(ids.map((id) => photos.get(id))),
     there(ids.map((id) => factsOf.get(id))),
@@ -182,9 +201,8 @@ async function contentOf(
   const { album, unread, frames, missing } = photosFrom(ids, { records, facts, videos, names });
   const empty = await emptyFrames(missing);
   for (const { fact } of empty) album.set(fact.id, fact);
-  const inTray = new Set(history.present.tray.map(({ id }) => id));
+  const inTray = new Set(present.tray.map(({ id }) => id));
   return {
-    history,
     album,
     videos: new Map(videos.map((video) => [video.key, video])),
     records: [...records, ...files],

@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { openDatabase } from './database.ts';
-import { allDie, fakeBrowser } from './testing.ts';
+import { allDie, fakeBrowser, historyIn } from './testing.ts';
 
 vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 afterEach(() => {
@@ -423,7 +423,7 @@ describe('a save that failed', () => {
     const base = await openDatabase();
     const all = () => Promise.all([base.getAll('projects'), base.getAll('states'), base.getAll('facts')]);
     const before = await all();
-    const put = failing((value) => (value.history ? new Error('The disk has hiccups.') : null));
+    const put = failing((value) => (value.bytes ? new Error('The disk has hiccups.') : null));
     rename(tab, 'Trip');
     await tab.keeping.flush();
     expect([tab.keeping.status.value, await all()]).toEqual(['failed', before]);
@@ -546,7 +546,7 @@ describe('hundreds of photos', () => {
     const order: string[] = [];
     vi.spyOn(IDBObjectStore.prototype, 'put').mockImplementation(function spied(value: any, key) {
       if (value.file) order.push('file');
-      if (value.history) order.push(value.history.present.name);
+      if (value.bytes) order.push(historyIn(value).present.name);
       if (order.length === 43) {
         rename(tab, 'Trip');
         void tab.keeping.flush();

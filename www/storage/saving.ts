@@ -13,20 +13,20 @@
 import { effect, signal, untracked } from '@preact/signals';
 import { failure } from '../engine/protocol.ts';
 import { freshId } from '../document/fresh-id.ts';
-import { EMPTY_HISTORY } from '../document/history.ts';
 import { isFull } from './database.ts';
 import { drawnId } from './drawn-states.ts';
 import { PHOTOS_LOCK } from './locks.ts';
 import { adopt } from './orphans.ts';
 import { snapshotOf } from './snapshot.ts';
+import { RECORD, hasDocument, isBytes } from './state-records.ts';
 import { VERSION } from '../engine/versions.ts';
 import { createTimer } from '../engine/scheduler.ts';
 import type { Fact } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
-import type { History } from '../document/history.ts';
+import type { Editing } from '../document/editing.ts';
 import type { Database, KeptVideo } from './database.ts';
 import type { DrawnStates } from './drawn-states.ts';
-import type { Base, Journal } from './journal.ts';
+import type { Journal } from './journal.ts';
 import type { Locks } from './locks.ts';
 import type { PhotoRecords } from './photo-records.ts';
 import type { Place } from '../document/place.ts';
@@ -36,6 +36,11 @@ import type { Signal } from '@preact/signals';
 
 /** `missing`: some photos cannot be read, everything else is saved. */
 export type Status = 'empty' | 'saving' | 'saved' | 'missing' | 'full' | 'refused' | 'failed';
+/**
+ * A state that is in the database, or may be: an editor after a number of changes. Without an editor, no changes lead
+ * from there to the present state.
+ */
+type Base = { stamp: string; editing: Editing | null; at: number };
 /** State at one moment: everything, the snapshot, and the number of photos. */
 type Moment = { now: unknown[]; shot: Snapshot; known: number };
 /**
@@ -44,8 +49,9 @@ type Moment = { now: unknown[]; shot: Snapshot; known: number };
  * - `facts`: as written
  * - `clean`: the last state without unsaved changes; `dirty`: there are unsaved changes; `due`: they are to be written
  *   now
- * - `base`: the history in the database; `next`: the history that is being written
- * - `shot`: the last written snapshot; `complete`: all its photos are written; `looked`: they were checked
+ * - `base`: the state in the database; `next`: the state that is being written
+ * - `shot`: the last written snapshot, and `bytes` its history; `complete`: all its photos are written; `looked`: they
+ *   were checked
  * - `known`: number of photos at that time
  * - `covered`: the journal has all other changes
  * - `inFile`: the state that was saved as a file
@@ -59,6 +65,7 @@ type Ledger = {
   due: Moment | null;
   base: Base;
   next: Base | null;
+  bytes: Uint8Array | null;
   shot: Snapshot | null;
   looked: boolean;
   complete: boolean;
@@ -137,7 +144,7 @@ export function createSaving({
   return { status, progress, unsaved, missing, flush, during, check, again, isSafe, filed };
 
   function parts() {
-    return [store.history.value, store.album.value, store.videos.value];
+    return [store.mirror.value, store.album.value, store.videos.value];
   }
 
   function ledgerOf(place: Place): Ledger {
@@ -145,16 +152,17 @@ export function createSaving({
     if (found) return found;
     const kept = place.stamp !== '';
     const now = parts();
-    // Data from the database is saved, except edits from the journal. New data must still be written.
-    const history = place.stored ?? (kept ? store.history.peek() : EMPTY_HISTORY);
+    const { behind } = place;
     const fresh: Ledger = {
       place,
       facts: new Map(kept ? store.album.peek() : []),
-      clean: kept ? [history, ...now.slice(1)] : [],
+      // Data from the database is saved, except edits from the journal. New data must still be written.
+      clean: kept ? [behind ? null : now[0], ...now.slice(1)] : [],
       dirty: false,
       due: null,
-      base: { stamp: place.stamp, history },
+      base: { stamp: place.stamp, editing: behind === 'wholly' ? null : store.editing(), at: 0 },
       next: null,
+      bytes: null,
       shot: null,
       looked: false,
       complete: false,
@@ -209,8 +217,7 @@ export function createSaving({
 
   /** Writes unsaved changes to the journal. */
   function tell({ place: { id }, clean, base, next, facts }: Ledger) {
-    const history = store.history.peek();
-    if (store.history.peek() === clean[0]) {
+    if (store.mirror.peek() === clean[0]) {
       journal.clear(id);
       ledger.covered = true;
       return;
@@ -219,7 +226,22 @@ export function createSaving({
       .peek()
       .filter((fact) => !facts.has(fact.id))
       .map((fact) => [fact.id, fact.name] as const);
-    ledger.covered = journal.note(id, { bases: next ? [base, next] : [base], history, photos });
+    const bases = next ? [base, next] : [base];
+    // Of a project that was never written, the journal has only the names of photos.
+    const told = bases.filter(({ stamp }) => stamp !== '');
+    const editing = store.editing();
+    const first = Math.min(...told.map(({ at }) => at));
+    const changes = told.length > 0 ? editing?.since(first) : [];
+    if (!changes || told.some((one) => one.editing !== editing)) {
+      journal.clear(id);
+      ledger.covered = false;
+      return;
+    }
+    ledger.covered = journal.note(id, {
+      bases: bases.map(({ stamp, at }) => ({ stamp, from: stamp === '' ? 0 : at - first })),
+      changes,
+      photos,
+    });
   }
 
   /** @returns when all that there is now was written, or could not be */
@@ -398,16 +420,23 @@ export function createSaving({
     of.due = null;
     of.dirty = false;
     of.since = performance.now();
-    of.next = { stamp: freshId(), history: shot.history };
+    const { bytes, at } = shot.editing.save();
+    of.next = { stamp: freshId(), editing: shot.editing, at };
     try {
-      await writeState(base, shot, { stamp: of.next.stamp, videos: records.keyed(shot.videos), facts: of.facts });
+      await writeState(base, shot, {
+        stamp: of.next.stamp,
+        bytes,
+        videos: records.keyed(shot.videos),
+        facts: of.facts,
+      });
     } catch (error) {
       of.dirty = true;
       of.next = null;
       throw error;
     }
     shot.place.stamp = of.next.stamp;
-    Object.assign(of, { shot, clean: now, base: of.next, next: null, looked: false, complete: false, known });
+    Object.assign(of, { shot, bytes, clean: now, base: of.next, next: null, looked: false, complete: false, known });
+    shot.editing.trim(at);
     if (of === ledger) tell(of);
     onWritten(of.place);
     count(of, shot, 0);
@@ -416,8 +445,13 @@ export function createSaving({
 
   async function writeState(
     base: Database,
-    { place: { id, created, stamp: before }, history, drawn, facts: known }: Snapshot,
-    { stamp, videos, facts }: { stamp: string; videos: KeptVideo[]; facts: Ledger['facts'] },
+    { place: { id, created, stamp: before }, mirror, drawn, facts: known }: Snapshot,
+    {
+      stamp,
+      bytes,
+      videos,
+      facts,
+    }: { stamp: string; bytes: Uint8Array<ArrayBuffer>; videos: KeptVideo[]; facts: Ledger['facts'] },
   ) {
     const all = base.transaction(['projects', 'states', 'facts'], 'readwrite');
     const projects = all.objectStore('projects');
@@ -426,9 +460,9 @@ export function createSaving({
       const found = await projects.get(id);
       // A missing project, possibly with the whole database, is not a conflict.
       if (typeof found?.stamp === 'string' && found.stamp !== before) throw conflict();
-      const { name, tray } = history.present;
+      const { name, tray } = mirror.present;
       // None of its files could be read. It is stored as deleted, so that it is in no list.
-      const isBare = tray.length === 0 && name === '' && history.past.length === 0;
+      const isBare = tray.length === 0 && name === '' && mirror.undos === 0;
       const refs = [...ids, ...videos.map(({ fileKey }) => fileKey)];
       const about = {
         ...(found?.held && { held: found.held }),
@@ -445,7 +479,7 @@ export function createSaving({
       const fresh = known.filter((fact) => facts.get(fact.id) !== fact);
       const asked = [
         () => projects.put({ ...about, picture: found?.picture ?? null }),
-        () => all.objectStore('states').put({ id, version: VERSION, stamp, history, facts: ids, videos }),
+        () => all.objectStore('states').put({ id, version: RECORD, stamp, bytes, facts: ids, videos }),
         ...(drawn.length > 0
           ? [() => all.objectStore('states').put({ id: drawnId(id), version: VERSION, drawn, facts: ids })]
           : []),
@@ -470,11 +504,7 @@ export function createSaving({
    * Reads the state back, and checks that all keys that it refers to exist.
    * @returns whether everything exists; missing data will be written
    */
-  async function look(
-    of: Ledger,
-    { place: { id, stamp }, history, facts, videos }: Snapshot,
-    base: Database,
-  ): Promise<boolean> {
+  async function look(of: Ledger, { place: { id, stamp }, facts, videos }: Snapshot, base: Database): Promise<boolean> {
     const all = base.transaction(['projects', 'states', 'facts', 'photos']);
     const [project, state, known, there] = await Promise.all([
       all.objectStore('projects').get(id),
@@ -483,7 +513,10 @@ export function createSaving({
       all.objectStore('photos').getAllKeys(),
     ]);
     if (project && project.stamp !== stamp) throw conflict();
-    const spoilt = project === undefined || state?.stamp !== stamp || !state.history || !alike(state.history, history);
+    const spoilt =
+      project === undefined ||
+      state?.stamp !== stamp ||
+      (of.bytes ? !isEqual(state.bytes, of.bytes) : !hasDocument(state));
     const [factKeys, photoKeys] = [new Set(known), new Set(there)];
     const unknown = facts.filter((fact) => !factKeys.has(fact.id));
     for (const fact of unknown) of.facts.delete(fact.id);
@@ -500,20 +533,21 @@ export function createSaving({
   function isSafe() {
     if (store.tray.peek().length === 0 && ledger.place.stamp === '') return true;
     return (
-      store.history.peek() === ledger.inFile ||
+      store.mirror.peek() === ledger.inFile ||
       (!ledger.dirty && (status.peek() === 'saved' || status.peek() === 'empty'))
     );
   }
 
   /** Records that the current state was exported to a file. */
   function filed() {
-    ledger.inFile = store.history.peek();
+    ledger.inFile = store.mirror.peek();
   }
 }
 
-function alike(one: History, other: History) {
-  const size = ({ past, future, shown }: History) => `${past.length} ${future.length} ${shown.length}`;
-  return size(one) === size(other) && JSON.stringify(one.present) === JSON.stringify(other.present);
+function isEqual(one: unknown, other: Uint8Array) {
+  if (!isBytes(one) || one.length !== other.length) return false;
+  for (let i = 0; i < one.length; i += 1) if (one[i] !== other[i]) return false;
+  return true;
 }
 
 /** Aborts the transaction, because its earlier requests would be written otherwise. */

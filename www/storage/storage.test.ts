@@ -1,7 +1,9 @@
 import { describe, expect, it, vi } from 'vitest';
 import { Editor } from '../pkg/inkpanel.js';
 import { openDatabase } from './database.ts';
-import { drawnId } from './drawn-states.ts';
+import { createEditing } from '../document/editing.ts';
+import { core } from '../engine/testing-core.ts';
+import { createDrawnStates, drawnId } from './drawn-states.ts';
 import { createLocks } from './locks.ts';
 import { sweep } from './sweeping.ts';
 import { documentOf, fakeBrowser } from './testing.ts';
@@ -29,7 +31,7 @@ describe('after the page is loaded again', () => {
     expect(after.store.project.value.loved).toEqual([2]);
     expect(after.photos.get(after.store.tray.value[0].id).work.planes.size).toBe('work of a.jpg'.length);
     for (let i = 0; i < 200; i += 1) after.pages.undo();
-    expect(after.store.history.value.future.length).toBe(200);
+    expect(after.store.mirror.value.redos).toBe(200);
   });
 
   it('the document is as it was, whatever is in it', async () => {
@@ -54,7 +56,8 @@ describe('after the page is loaded again', () => {
     const load = vi.spyOn(Editor.prototype, 'load');
     const after = await browser.died().tab();
     expect(after.names()).toEqual(['a.jpg', 'b.jpg']);
-    expect(load.mock.calls.filter(([text]) => text.includes(id))).toHaveLength(1);
+    const read = load.mock.calls.filter(([bytes]) => new TextDecoder().decode(bytes as any).includes(id));
+    expect(read).toHaveLength(1);
     load.mockRestore();
   });
 
@@ -112,6 +115,22 @@ describe('the last states that were drawn', () => {
     tab.store.change({ type: 'forget-photos', ids: tab.store.tray.value.map(({ id }) => id) });
     await tab.keeping.flush();
     expect((await base.getAll('projects'))[0].refs).toEqual(project.refs);
+  });
+
+  it('include a restored state once', async () => {
+    const tab = await fakeBrowser().tab();
+    await tab.add('a.jpg', 'b.jpg');
+    const states = createDrawnStates({ store: tab.store });
+    const place = tab.store.place.value;
+    states.note();
+    expect(states.of(place)).toEqual([tab.store.project.value]);
+    tab.store.load({
+      editing: createEditing(core.createEditor(), tab.store.mirror.value),
+      album: tab.store.album.value,
+      videos: new Map(),
+    });
+    states.note();
+    expect(states.of(place)).toEqual([tab.store.project.value]);
   });
 
   it('have no photo that is still being read: it may turn out to be none', async () => {

@@ -4,6 +4,7 @@
  * - `database.ts` the tables; `versions.ts` checks and migrates data from the database or from files
  * - `snapshot.ts` selects the data to save; `photo-records.ts` writes photos; `saving.ts` schedules writes;
  *   `journal.ts` stores the last edits
+ * - `state-records.ts` reads the document in a record, also of earlier versions
  * - `restoring.ts` reads a project; `rehearsing.ts` tries it before it is shown
  * - `opening.ts` manages the open project; `last-project.ts` selects the first one; `projects.ts` is the project list
  * - `rescue.ts` exports a project that cannot be opened

@@ -80,7 +80,7 @@ describe('photos', () => {
 
   it('all stay while one project cannot be read at all', async () => {
     await release(({ id }) => ({ id }));
-    const [state] = (await base.getAll('states')).filter(({ history }) => history);
+    const [state] = (await base.getAll('states')).filter(({ bytes }) => bytes);
     await base.put('states', { id: state.id, facts: 'none' } as any);
     expect([await sweptAt(0), await sweptAt(100)]).toEqual([
       ['a.jpg', 'b.jpg'],

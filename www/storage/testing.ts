@@ -7,13 +7,16 @@ import { createPhotos } from '../engine/photos.ts';
 import { createMessages } from '../ui/messages.ts';
 import { createPages } from '../document/pages.ts';
 import { createStore } from '../document/store.ts';
-import { fakePlanner } from '../document/testing.ts';
+import { fakePlanner, historyOf } from '../document/testing.ts';
 import { createKeeping, type Keeping } from './storage.ts';
 import { createShelves } from './shelves.ts';
 import { core } from '../engine/testing-core.ts';
 import { createReading, type Reading } from '../photos/reading.ts';
 import { unreadMeta } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
+import { expanded, recordIn } from '../engine/interned.ts';
+import type { History } from '../engine/types.ts';
+import type { AnyState } from './database.ts';
 import type { Views } from './opening.ts';
 
 /** Locks as the browser has them, in the little that is used: exclusive and shared, waited for or not. */
@@ -200,7 +203,17 @@ export function fakeBrowser({
   }
 }
 
-/** The visible state of a project. */
+/** The history in a record of the table `states`. */
+export function historyIn({ bytes }: Partial<AnyState>): History {
+  return expanded(recordIn(bytes as Uint8Array).history);
+}
+
+/** A record of the table `states` as earlier versions wrote it. */
+export function earlier({ bytes, ...record }: AnyState): AnyState {
+  return bytes ? { ...record, version: 1, history: historyIn({ bytes }) } : record;
+}
+
+/** The history of a project. */
 export function documentOf({ store }: { store: Store }) {
-  return structuredClone(store.history.peek());
+  return historyOf(store.editing());
 }

@@ -84,23 +84,31 @@ struct Tables {
     boards: Vec<Value>,
 }
 
-/// The difference after an edit, see `difference` in `crates/model/src/kept.rs`.
+/// The difference after a change, see `difference` in `crates/model/src/kept.rs`.
 #[derive(TS, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct Difference {
-    /// New states: the state with this index, with these fields replaced.
-    #[ts(type = "ReadonlyArray<[of: number, fields: Partial<KeptState>]>")]
-    states: Vec<(usize, Value)>,
-    #[ts(type = "Runs")]
-    past: Runs,
-    present: Number,
-    #[ts(type = "Runs")]
-    future: Runs,
-    #[ts(type = "ReadonlyArray<KeptShown>")]
-    entries: Vec<Value>,
+    /// The fields that changed.
+    #[ts(type = "Partial<KeptState>")]
+    present: Value,
     #[ts(type = "Runs")]
     shown: Runs,
+    #[ts(type = "ReadonlyArray<KeptShown>")]
+    entries: Vec<Value>,
+    /// The edits that an intent led to.
+    #[ts(type = "ReadonlyArray<KeptEdit>")]
+    edits: Vec<Value>,
     parts: Tables,
+    undos: Number,
+    redos: Number,
+    /// Whether the steps to undo are others.
+    stepped: bool,
+    /// Whether the history changed at all.
+    changed: bool,
+    /// Number of earlier changes that a journal need not have.
+    includes: Number,
+    /// Dropped parts, as sentences.
+    dropped: Vec<String>,
     /// An id for a new page,
     page_id: u64,
     /// and one for a new place.
@@ -146,18 +154,6 @@ struct DraftFacts {
 
 /// Consecutive numbers: the first, and the count.
 type Runs = Vec<(usize, usize)>;
-
-/// A history that was put into an editor.
-#[derive(TS)]
-#[ts(rename_all = "camelCase")]
-struct Loaded {
-    /// Dropped parts, as sentences.
-    dropped: Vec<String>,
-    /// An id for a new page,
-    page_id: u64,
-    /// and one for a new place.
-    sheet: u64,
-}
 
 /// A history with tables of its parts.
 #[derive(TS, Deserialize)]
@@ -229,6 +225,15 @@ export type KeptState = Omit<Project, Tabled> & {
 /** A page of a storyboard, and a version of a page. Their pages are stored in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };
 export type KeptShown = Omit<Shown, 'page'> & { page: number };
+
+/** An edit that an intent led to. Its pages and settings are stored in tables. */
+export type KeptEdit = How & (
+| { type: 'show-page'; page: number; pageId: number }
+| { type: 'change-page'; page: number }
+| { type: 'change-settings'; settings: number; page?: number }
+| { type: 'set-sheets'; sheets: ReadonlyArray<KeptSheet>; at: number }
+| { type: 'no-page' }
+);
 ";
 
 /// The module of types.
@@ -358,7 +363,6 @@ fn types() -> String {
         BreedRequest,
         Tables,
         Difference,
-        Loaded,
         TabledHistory,
         ReadHistory,
         ReadProject,

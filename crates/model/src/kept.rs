@@ -1,7 +1,8 @@
 //! A history as data between the core and the app. States share most of their parts. The parts are in tables,
 //! and states refer to them by index.
 //!
-//! `{version, history: {parts, past, present, future, shown}}`, where `parts` has the tables
+//! `{version, gesture, history: {parts, past, present, future, shown}}`, where `gesture` is the gesture of the
+//! last edit, if it has one, and `parts` has the tables
 //!
 //! | table | of | named by |
 //! |---|---|---|
@@ -16,10 +17,11 @@
 //! Each part is checked once.
 
 use super::draft::Draft;
-use super::edit::Shelf;
+use super::edit::{Edit, How, Shelf};
 use super::history::{History, Shown};
 use super::limits::{
-    HISTORY, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS, MOST_SHOWN, MOST_STEPS, MOST_STYLES, MOST_WAITING,
+    HISTORY, LONGEST_NAME, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS, MOST_SHOWN, MOST_STEPS, MOST_STYLES,
+    MOST_WAITING,
 };
 use super::project::{self, List, Order, Pages, Parts, Project, Sheet, TrayItem};
 use super::shots::Board;
@@ -42,12 +44,21 @@ const MOST_PARTS: usize = (2 * MOST_STEPS + 1 + MOST_SHOWN) * 100;
 /// # Errors
 /// `damaged-project`, `newer-project` or `too-large-project`, with the place.
 pub fn parse(text: &str) -> Result<(History, Dropped)> {
+    parse_saved(text).map(|(history, _, dropped)| (history, dropped))
+}
+
+/// Like [`parse`], with the gesture of the last edit.
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_saved(text: &str) -> Result<(History, Option<String>, Dropped)> {
     json::parse(text, HISTORY).and_then(read).map_err(|wrong| refusal(&wrong))
 }
 
-fn read(value: Value) -> Read<(History, Dropped)> {
+fn read(value: Value) -> Read<(History, Option<String>, Dropped)> {
     let mut fields = Fields::of(value)?;
     version(&mut fields)?;
+    let gesture = fields.nullable("gesture").text("gesture", LONGEST_NAME)?;
     let mut history = fields.required("history")?;
     let mut dropped = Dropped::new();
     let mut tables = match history.as_object_mut().and_then(|history| history.remove("parts")) {
@@ -58,12 +69,18 @@ fn read(value: Value) -> Read<(History, Dropped)> {
         "" => wrong.at("history"),
         _ => wrong,
     })?;
-    Ok((history, dropped))
+    Ok((history, gesture, dropped))
 }
 
 /// Writes a history with its tables, and the list of dropped parts.
 #[must_use]
 pub fn write(history: &History, dropped: &Dropped) -> String {
+    write_saved(history, None, dropped)
+}
+
+/// Like [`write`], with the gesture of the last edit.
+#[must_use]
+pub fn write_saved(history: &History, gesture: Option<&str>, dropped: &Dropped) -> String {
     let mut parts = Interner::default();
     let mut states = Writer::default();
     states.open(b'{');
@@ -82,51 +99,65 @@ pub fn write(history: &History, dropped: &Dropped) -> String {
     let mut out = Writer::default();
     out.open(b'{');
     out.key("version").whole(VERSION);
+    if let Some(gesture) = gesture {
+        out.key("gesture").text(gesture);
+    }
     out.key("history").append(&states);
     out.key("dropped").texts(dropped);
     out.close(b'}');
     out.finish()
 }
 
-/// The difference after an edit: `{states, past, present, future, entries, shown, parts, pageId, sheet}`.
-///
-/// - States have numbers. The old states (past, present, future) count from 0, and the new ones in `states`
-///   follow.
-/// - A new state is `[of, fields]`: a copy of state `of` with changed fields.
-/// - `past` and `future` are runs of numbers: pairs of `[first, count]`. `shown` has runs of entries of the
-///   old page history.
-/// - `parts` are tables that extend the known tables (`Interner::knowing`).
-/// - `pageId` and `sheet` are ids for a new page and a new sheet.
+/// Parts of a difference in addition to the history.
+#[derive(Debug, Clone, Copy)]
+pub struct Told<'a> {
+    /// The edits that an intent led to.
+    pub edits: &'a [(Edit, How)],
+    /// Number of earlier changes that the change includes.
+    pub includes: usize,
+    /// Parts that were dropped.
+    pub dropped: &'a [String],
+}
+
+/// The difference between an empty project and a history that an editor has read.
 #[must_use]
-pub fn difference(history: &History, was: &History) -> String {
+pub fn loaded(history: &History, dropped: &Dropped) -> String {
+    difference(history, &History::default(), &Told { edits: &[], includes: 0, dropped })
+}
+
+/// The difference after a change, for a reader that knows the present and the page history before:
+///
+/// - `present`: the fields of the present that changed
+/// - `shown`: the page history as runs of numbers, pairs of `[first, count]`. Its old entries count from 0, and
+///   the new ones in `entries` follow.
+/// - `edits`: the edits that an intent led to, with their pages in tables
+/// - `parts`: tables that extend the known tables (`Interner::knowing`)
+/// - `undos`, `redos`: the number of steps; `stepped`: whether the steps to undo are others
+/// - `changed`: whether the history changed at all
+/// - `includes`: number of earlier changes that a journal need not have
+/// - `dropped`: parts that could not be read
+/// - `pageId` and `sheet`: ids for a new page and a new sheet
+#[must_use]
+pub fn difference(history: &History, was: &History, told: &Told) -> String {
     let mut parts = Interner::knowing(was);
     let mut out = Writer::default();
     out.open(b'{');
-    let mut states = Numbers::of(addresses(was.states()));
-    let behind = was.past.len() + 1;
-    for (name, list, first) in [("past", &history.past, 0), ("future", &history.future, behind)] {
-        states.runs(out.key(name), &addresses(list.iter()), first);
-    }
-    let present = states.number(address(&history.present), was.past.len());
-    out.key("present").whole(present as u64);
-    out.key("states").open(b'[');
-    for (of, fresh) in states.fresh {
-        let state = history.states().find(|state| address(state) == fresh);
-        let (Some(state), Some(before)) = (state, was.states().nth(of)) else { continue };
-        out.item();
-        out.open(b'[');
-        out.whole(of as u64);
-        out.item();
-        parts.differences(&mut out, state, Some(before));
-        out.close(b']');
-    }
-    out.close(b']');
-    let mut entries = Numbers::of(addresses(was.shown.iter()));
-    entries.runs(out.key("shown"), &addresses(history.shown.iter()), 0);
-    let is_fresh = |shown: &&Arc<Shown>| entries.fresh.iter().any(|(_, fresh)| *fresh == address(shown));
-    let fresh: Vec<_> = history.shown.iter().filter(is_fresh).cloned().collect();
+    parts.differences(out.key("present"), &history.present, Some(&was.present));
+    let fresh = runs(out.key("shown"), &history.shown, &was.shown);
     parts.shown(out.key("entries"), &fresh);
+    parts.edits(out.key("edits"), told.edits);
     parts.tables(out.key("parts"));
+    out.key("undos").whole(history.past.len() as u64);
+    out.key("redos").whole(history.future.len() as u64);
+    let stepped = addresses(history.past.iter()) != addresses(was.past.iter());
+    let changed = stepped
+        || !Arc::ptr_eq(&history.present, &was.present)
+        || addresses(history.future.iter()) != addresses(was.future.iter())
+        || addresses(history.shown.iter()) != addresses(was.shown.iter());
+    out.key("stepped").flag(stepped);
+    out.key("changed").flag(changed);
+    out.key("includes").whole(told.includes as u64);
+    out.key("dropped").texts(told.dropped);
     let (page_id, sheet) = history.fresh();
     out.key("pageId").whole(page_id);
     out.key("sheet").whole(sheet);
@@ -134,50 +165,50 @@ pub fn difference(history: &History, was: &History) -> String {
     out.finish()
 }
 
-/// Numbers of list items, found by address: old items in order, then new ones with the number of the item
-/// that they were made from.
-struct Numbers {
-    known: Vec<usize>,
-    fresh: Vec<(usize, usize)>,
-    /// Expected next item, because most lists are unchanged.
-    next: usize,
-}
-
-impl Numbers {
-    fn of(known: Vec<usize>) -> Self {
-        Self { known, fresh: Vec::new(), next: 0 }
-    }
-
-    fn number(&mut self, item: usize, of: usize) -> usize {
-        let at = match self.known.get(self.next) {
-            Some(known) if *known == item => self.next,
-            _ => self.known.iter().position(|known| *known == item).unwrap_or_else(|| {
-                self.fresh.push((of.min(self.known.len().saturating_sub(1)), item));
-                self.known.len() + self.fresh.len() - 1
+/// Writes a list as runs of numbers.
+///
+/// Returns the entries that the old list does not have.
+fn runs(out: &mut Writer, list: &[Arc<Shown>], old: &[Arc<Shown>]) -> Vec<Arc<Shown>> {
+    let known = addresses(old.iter());
+    let mut fresh = Vec::new();
+    let mut runs: Vec<(usize, u64)> = Vec::new();
+    // Most lists are unchanged.
+    let mut next = 0;
+    for shown in list {
+        let item = address(shown);
+        let at = match known.get(next) {
+            Some(known) if *known == item => next,
+            _ => known.iter().position(|known| *known == item).unwrap_or_else(|| {
+                fresh.push(shown.clone());
+                known.len() + fresh.len() - 1
             }),
         };
-        self.next = at + 1;
-        at
-    }
-
-    /// Writes a list as runs of numbers. `first`: the number of the first old item.
-    fn runs(&mut self, out: &mut Writer, list: &[usize], first: usize) {
-        let mut runs: Vec<(usize, u64)> = Vec::new();
-        for (i, item) in list.iter().enumerate() {
-            let at = self.number(*item, first + i);
-            match runs.last_mut() {
-                Some((first, count)) if *first + *count as usize == at => *count += 1,
-                _ => runs.push((at, 1)),
-            }
+        next = at + 1;
+        match runs.last_mut() {
+            Some((first, count)) if *first + *count as usize == at => *count += 1,
+            _ => runs.push((at, 1)),
         }
-        out.list(&runs, &|out, (first, count)| {
-            out.open(b'[');
-            out.whole(*first as u64);
-            out.item();
-            out.whole(*count);
-            out.close(b']');
-        });
     }
+    out.list(&runs, &|out, (first, count)| {
+        out.open(b'[');
+        out.whole(*first as u64);
+        out.item();
+        out.whole(*count);
+        out.close(b']');
+    });
+    fresh
+}
+
+/// Returns whether two histories are equal. Most of their parts are identical objects.
+#[must_use]
+pub fn same_history(a: &History, b: &History) -> bool {
+    let states = |a: &[Arc<Project>], b: &[Arc<Project>]| same_items(a.iter(), b.iter());
+    if !states(&a.past, &b.past) || !states(&a.future, &b.future) {
+        return false;
+    }
+    let mut fields = Writer::default();
+    Interner::default().differences(&mut fields, &a.present, Some(&b.present));
+    fields.finish() == "{}" && same_items(a.shown.iter(), b.shown.iter())
 }
 
 fn address<T>(part: &Arc<T>) -> usize {
@@ -454,7 +485,7 @@ impl Interner {
             }
         }
         if fresh(&|was| same(&was.settings, &state.settings)) {
-            self.part(out.key("settings"), SETTINGS, &state.settings, &|_, out, settings| out.put(settings));
+            self.settings(out.key("settings"), &state.settings);
         }
         if fresh(&|was| same_option(edited_page(was), edited_page(state))) {
             match edited_page(state) {
@@ -536,6 +567,65 @@ impl Interner {
         out.close(b']');
     }
 
+    /// Writes the edits that an intent led to.
+    fn edits(&mut self, out: &mut Writer, edits: &[(Edit, How)]) {
+        out.open(b'[');
+        for (edit, how) in edits {
+            out.item();
+            out.open(b'{');
+            match edit {
+                Edit::ShowPage { page, page_id } => {
+                    out.key("type").text("show-page");
+                    self.page(out.key("page"), page);
+                    out.key("pageId").whole(*page_id);
+                }
+                Edit::ChangePage { page } => {
+                    out.key("type").text("change-page");
+                    self.page(out.key("page"), page);
+                }
+                Edit::ChangeSettings { settings, page } => {
+                    out.key("type").text("change-settings");
+                    self.settings(out.key("settings"), settings);
+                    if let Some(page) = page {
+                        self.page(out.key("page"), page);
+                    }
+                }
+                Edit::SetSheets { sheets, at } => {
+                    out.key("type").text("set-sheets");
+                    out.key("sheets").open(b'[');
+                    for sheet in sheets {
+                        out.item();
+                        self.sheet(out, sheet);
+                    }
+                    out.close(b']');
+                    out.key("at").whole(*at as u64);
+                }
+                _ => out.key("type").text("no-page"),
+            }
+            if how.silent {
+                out.key("silent").flag(true);
+            }
+            if let Some(gesture) = &how.gesture {
+                out.key("gesture").text(gesture);
+            }
+            out.close(b'}');
+        }
+        out.close(b']');
+    }
+
+    fn settings(&mut self, out: &mut Writer, settings: &Arc<PageSettings>) {
+        self.part(out, SETTINGS, settings, &|_, out, settings| out.put(settings));
+    }
+
+    fn sheet(&mut self, out: &mut Writer, sheet: &Sheet) {
+        out.open(b'{');
+        self.page(out.key("page"), &sheet.page);
+        out.key("pageId").whole(sheet.page_id);
+        out.key("sheet").whole(sheet.sheet);
+        out.rest(&sheet.rest);
+        out.close(b'}');
+    }
+
     fn tables(&self, out: &mut Writer) {
         out.open(b'{');
         for (name, (table, _)) in TABLES.iter().zip(&self.tables) {
@@ -560,14 +650,7 @@ impl Interner {
         list.open(b'[');
         for sheet in pages.others() {
             list.item();
-            self.part(&mut list, SHEETS, sheet, &|parts, out, sheet| {
-                out.open(b'{');
-                parts.page(out.key("page"), &sheet.page);
-                out.key("pageId").whole(sheet.page_id);
-                out.key("sheet").whole(sheet.sheet);
-                out.rest(&sheet.rest);
-                out.close(b'}');
-            });
+            self.part(&mut list, SHEETS, sheet, &|parts, out, sheet| parts.sheet(out, sheet));
         }
         list.close(b']');
         if self.inline {

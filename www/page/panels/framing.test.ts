@@ -17,7 +17,7 @@ async function app() {
 test('a pan is by hand, one step of the undo, and shared by merged panels', async () => {
   const { framing, store, page, pages } = await app();
   pages.edit({ type: 'merge-panels', panels: [0, 1] });
-  const steps = store.history.value.past.length;
+  const steps = store.mirror.value.undos;
   framing.closer(1, 2, 'zoom');
   const crop = framing.cropOf(1) as Bounds;
   const gesture = framing.step();
@@ -26,7 +26,7 @@ test('a pan is by hand, one step of the undo, and shared by merged panels', asyn
   expect(page().panels[0].crop?.x).toBeCloseTo(crop.x - 0.25 * crop.width);
   expect(page().panels[1]).toMatchObject({ edited: true, crop: page().panels[0].crop });
   expect(page().panels[2].edited).toBe(false);
-  expect(store.history.value.past.length).toBe(steps + 2);
+  expect(store.mirror.value.undos).toBe(steps + 2);
   framing.reset(0);
   expect(page().panels[1].edited).toBe(false);
   pages.undo();

@@ -11,6 +11,8 @@ import { strings } from '../../strings/strings.ts';
 import { hashOf, looksLike } from '../../photos/identity.ts';
 import { absentOf } from '../../photos/placeholder.ts';
 import { renamed } from './project-json.ts';
+import { encoded, recordIn } from '../../engine/interned.ts';
+import { openEditing } from '../../document/editing.ts';
 import { createTimer } from '../../engine/scheduler.ts';
 import type { Messages, Way } from '../../ui/messages.ts';
 import type { Absent, Fact } from '../../document/album.ts';
@@ -156,7 +158,14 @@ export function createAbsentPhotos({
       };
       album.set(id, { id, name, credit: frame.credit, ...known });
     }
-    store.load({ history: renamed(store.history.peek(), names), album, videos: store.videos.peek() });
+    const [planner, editing] = [store.planner.peek(), store.editing()];
+    if (!planner || !editing) return;
+    const record = renamed(recordIn(editing.save().bytes), names);
+    store.load({
+      editing: openEditing(planner.createEditor(), encoded(record)),
+      album,
+      videos: store.videos.peek(),
+    });
     for (const { frame } of matches) engine.forgetPhoto(frame.id);
   }
 }

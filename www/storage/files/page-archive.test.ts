@@ -70,7 +70,7 @@ describe('a page', () => {
       pages(tab).map(([layout, style, photos]) => [layout, style, (photos as string[]).map((photo) => name(photo))]),
     );
     expect([other.store.project.value.at, other.store.project.value.name]).toEqual([1, 'Trip']);
-    expect(other.store.history.value.shown.map(({ id }) => id)).toEqual([1, 2]);
+    expect(other.store.mirror.value.shown.map(({ id }) => id)).toEqual([1, 2]);
     // Without the undo history.
     const present = JSON.parse(await textIn(await downloaded(tab, 'project'))).history.present;
     expect([present.sheet, present.pageId, present.others[0].sheet]).toEqual([1, 2, 0]);
@@ -212,10 +212,10 @@ describe('an archive of others', () => {
       /damaged|exceeds the limits of a project/,
     ],
   ])('with %s is refused with a reason', async (_, made, why) => {
-    const before = tab.store.history.value;
+    const before = tab.store.mirror.value;
     expect((await tab.keeping.pageFiles.unpacked(made())).pictures).toEqual([]);
     expect(said().map(([, reason]) => reason)).toEqual([expect.stringMatching(why)]);
-    expect(tab.store.history.value).toBe(before);
+    expect(tab.store.mirror.value).toBe(before);
   });
 });
 

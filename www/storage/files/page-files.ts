@@ -297,9 +297,7 @@ function pagesAlone({ history, photos, dropped }: FileProject): FileProject {
     videos: [],
     dropped,
     history: {
-      past: [],
       present,
-      future: [],
       shown: whole.map((page, i) => ({ id: i + 1, page, ...(i > 0 ? { sheet: i } : {}) })),
     },
   };

@@ -71,7 +71,7 @@ describe('a project file', () => {
   it('has no photos that only the undo history needs', async () => {
     // More than the limit of a page, in addition to the three of the earlier pages.
     await tab.add(...'defghijklmnop'.split('').map((name) => `${name}.jpg`));
-    const { shown } = tab.store.history.value;
+    const { shown } = tab.store.mirror.value;
     const onPages = photosOn(shown.map(({ page }) => page));
     const unseen = tab.store.facts.value.find(({ id }) => !onPages.has(id)) as Fact;
     tab.reading.remove(unseen.id);

@@ -19,10 +19,10 @@ import { damaged } from '../../engine/protocol.ts';
 import { explain } from '../../ui/explain.ts';
 import type { Messages } from '../../ui/messages.ts';
 import type { Fact, Video } from '../../document/album.ts';
+import type { Beginning } from '../../document/history.ts';
 import type { Planner, Store } from '../../document/store.ts';
 import type { Engine } from '../../engine/engine.ts';
 import type { Saving } from '../saving.ts';
-import type { Snapshot } from '../snapshot.ts';
 import type { Work } from '../../engine/archive.ts';
 import type { Archive, FileOpening, Hands } from './file-opening.ts';
 import type { FilePhoto, FileProject } from './project-json.ts';
@@ -92,8 +92,8 @@ export function createProjectFiles({
 
   async function packed(work: Work) {
     // A file has no undo history, so it needs no photos that only the undo history shows.
-    const history = { ...store.history.peek(), past: [], future: [] };
-    const { facts, videos } = factsOf(store, history);
+    const history = store.mirror.peek();
+    const { facts, videos } = factsOf(store, photosOf([history.present], history.shown));
     const read = facts.filter(({ id }) => engine.photos.has(id));
     const blobs: Map<string, Blob> = new Map();
     for (const { id } of read) blobs.set(id, engine.photos.get(id).file);
@@ -148,7 +148,7 @@ export async function packedProject(
     history,
     facts,
     videos,
-  }: Pick<Snapshot, 'history' | 'facts'> & { videos: readonly (Omit<Video, 'file'> & { file: Blob })[] },
+  }: { history: Beginning; facts: readonly Fact[]; videos: readonly (Omit<Video, 'file'> & { file: Blob })[] },
   blobs: ReadonlyMap<string, Blob>,
   { version, clean = false, work = {} }: { version?: number; clean?: boolean; work?: Work } = {},
 ): Promise<{ file: Blob; name: string; unclean: string[] | null }> {
@@ -193,12 +193,12 @@ export function projectFileName(name: string) {
  * @returns `waiting`: missing photos with reserved places
  */
 function withoutLost(
-  history: import('../../document/history.ts').History,
+  history: Beginning,
   facts: readonly Fact[],
   planner: Pick<Planner, 'createEditor'>,
-): { history: import('../../document/history.ts').History; waiting: string[] } {
+): { history: Beginning; waiting: string[] } {
   const here = new Set(facts.map(({ id }) => id));
-  const lost = [...photosOf(history)].filter((id) => !here.has(id));
+  const lost = [...photosOf([history.present], history.shown)].filter((id) => !here.has(id));
   const shown = new Set(sheetsOf(history.present).flatMap(({ page }) => page.panels.map(({ photo }) => photo)));
   const waits = new Set(lost.filter((id) => shown.has(id)).slice(0, PLACES_FOR_LOST));
   const gone = lost.filter((id) => !waits.has(id));

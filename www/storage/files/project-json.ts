@@ -7,13 +7,13 @@ import { freshId } from '../../document/fresh-id.ts';
 import { VERSION } from '../../engine/versions.ts';
 import type { Fact, Video } from '../../document/album.ts';
 import type { Planner } from '../../document/store.ts';
-import type { History } from '../../document/history.ts';
+import type { Beginning } from '../../document/history.ts';
 import type { FilePhoto, FileVideo, Likeness } from '../../engine/types.ts';
 
 export type { FilePhoto };
 /** `dropped`: the dropped parts with reasons */
 export type FileProject = {
-  history: History;
+  history: Beginning;
   photos: readonly FilePhoto[];
   videos: readonly FileVideo[];
   dropped: readonly string[];
@@ -27,7 +27,7 @@ const FORMAT = 'inkpanel';
  * @returns `paths`: path of each photo in the file by id, and of each video by `video` and its key
  */
 export function projectJson(
-  { present, shown }: Pick<History, 'present' | 'shown'>,
+  { present, shown }: Beginning,
   facts: readonly (Omit<Fact, 'measures'> & { measures: object | null; type: string; like?: Likeness })[],
   videos: readonly (Omit<Video, 'file'> & { file: Blob })[],
   version: number = VERSION,
@@ -71,8 +71,7 @@ export function projectJson(
  * @returns throws `damaged-project` or `newer-project`
  */
 export function readProjectJson(text: string, planner: Pick<Planner, 'readProject'>): FileProject {
-  const { history, photos, videos, dropped } = planner.readProject(text, { prefix: `p${freshId(8)}-` });
-  return { history: { ...history, past: [], future: [] }, photos, videos, dropped };
+  return planner.readProject(text, { prefix: `p${freshId(8)}-` });
 }
 
 /** @returns only these fields */

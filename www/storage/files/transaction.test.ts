@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { save as saveFile } from '../../ui/files.ts';
 import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { openDatabase } from '../database.ts';
-import { documentOf, fakeBrowser } from '../testing.ts';
+import { documentOf, fakeBrowser, historyIn } from '../testing.ts';
 
 vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));
 
@@ -109,7 +109,7 @@ describe('a project that fails to open', () => {
     await tab.keeping.flush();
     const after = await everything();
     expect(after.projects.map(({ id, name }) => [id, name])).toEqual([[before.place, 'Journey']]);
-    expect(after.states[0].history?.past).toEqual(before.document.past);
+    expect(historyIn(after.states[0]).past).toEqual(before.document.past);
   });
 
   it('while what is open is not saved yet leaves that to be saved', async () => {
@@ -145,14 +145,14 @@ describe('a save', () => {
     const saving = tab.keeping.flush();
     const first = tab.keeping.current.value;
     tab.store.load({
-      history: tab.store.history.value,
+      editing: tab.store.editing(),
       album: new Map(),
       videos: new Map(),
       place: { id: 'second', created: 0, stamp: '' },
     });
     await saving;
     await tab.keeping.flush();
-    const written = put.mock.calls.map(([record]) => record).filter((record: any) => record.history);
+    const written = put.mock.calls.map(([record]) => record).filter((record: any) => record.bytes);
     expect(written.map(({ id, facts }: any) => [id, facts.length])).toEqual([
       [first, 2],
       ['second', 0],

@@ -1031,6 +1031,36 @@ mod tests {
     }
 
     #[test]
+    fn an_intent_tells_the_edits_that_carried_it_out() {
+        let mut desk = Desk::new();
+        let mut told = |edit: Value| -> Vec<Value> {
+            let known = || Ok(desk.photos.iter().map(|meta| Known { meta, place: None }).collect());
+            let told = desk.editor.apply_json_with(&edit.to_string(), &known).unwrap();
+            serde_json::from_str::<Value>(&told).unwrap()["edits"].as_array().unwrap().clone()
+        };
+        let zoom = json!({ "type": "zoom", "factor": 2 });
+        assert_eq!(
+            told(json!({ "type": "crop-panel", "panel": 0, "crop": zoom, "gesture": "g" })),
+            [json!({ "type": "change-page", "page": 2, "gesture": "g" })]
+        );
+        let kinds = |edits: Vec<Value>| -> Vec<Value> {
+            edits.iter().map(|edit| json!([edit["type"], edit["silent"]])).collect()
+        };
+        let shuffle = json!({ "type": "shuffle", "part": "photos", "draw": { "seed": 5 } });
+        assert_eq!(kinds(told(shuffle)), [json!(["show-page", null])]);
+        assert_eq!(
+            kinds(told(json!({ "type": "add-page", "draw": { "seed": 4 } }))),
+            [json!(["set-sheets", null])]
+        );
+        let settings = PageSettings { gutter: 0.03, ..PageSettings::default() };
+        let paper = json!({ "type": "set-paper", "settings": settings, "held": false });
+        assert_eq!(kinds(told(paper)), [json!(["change-settings", null]), json!(["set-sheets", true])]);
+        let version = json!({ "type": "restore-version", "pageId": 1 });
+        assert_eq!(kinds(told(version)), [json!(["set-sheets", true]), json!(["show-page", null])]);
+        assert!(told(json!({ "type": "lock-panel", "panel": 9, "on": true })).is_empty());
+    }
+
+    #[test]
     fn a_version_comes_back_in_its_place() {
         let mut desk = Desk::new();
         let first = desk.page();

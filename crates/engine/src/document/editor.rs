@@ -4,29 +4,86 @@ use super::carrying_out::{Obstacles, Outcome, obstacles};
 use super::edit::{Edit, How, Shelf, Without};
 use super::history::History;
 use super::intent::Intent;
+use super::kept::Told;
 use super::limits::{MOST_STEPS, PROJECT};
 use super::planning::{Known, Planning};
 use super::project::{List, Project, Sheet};
-use super::{invalid, kept, own, validation};
+use super::{Dropped, invalid, kept, own, validation};
 use crate::error::{Error, Result};
-use crate::json;
+use crate::json::{self, Read, Wrong, items};
 use crate::layout::PageSettings;
 use crate::page::{CustomFile, Document};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
+
+/// Maximum number of changes in a journal, and of edits in a change.
+const MOST_CHANGES: usize = 10_000;
 
 /// A history that grows, and the edit that its last step belongs to.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Editor {
     history: History,
     gesture: Option<String>,
+    series: Option<Box<Series>>,
+}
+
+/// The last changes, if they are of one gesture, or silent. A later one may include them.
+#[derive(Debug, Clone, PartialEq)]
+struct Series {
+    /// The editor before them.
+    before: Editor,
+    /// `None` if they are silent.
+    gesture: Option<String>,
+    count: usize,
 }
 
 impl Editor {
     /// Creates an editor with a history.
     #[must_use]
     pub fn new(history: History) -> Self {
-        Self { history, gesture: None }
+        Self { history, ..Self::default() }
+    }
+
+    /// Reads the output of [`Editor::save`], and applies the changes of a journal that were made since: a list of
+    /// lists of edits in JSON, or an empty text. A list without edits ends the gesture.
+    ///
+    /// Returns the dropped parts as well.
+    ///
+    /// # Errors
+    /// `damaged-project`, `newer-project` or `too-large-project` for the history. `invalid-document` for an
+    /// invalid journal. It contains no intents, because they depend on measurements of photos.
+    pub fn load(text: &str, journal: &str) -> Result<(Self, Dropped)> {
+        let (history, gesture, dropped) = kept::parse_saved(text)?;
+        let mut editor = Self { history, gesture, series: None };
+        if !journal.is_empty() {
+            editor.replay(journal).map_err(|wrong| invalid(&wrong))?;
+        }
+        // After loading, names of gestures are used again.
+        editor.gesture = None;
+        Ok((editor, dropped))
+    }
+
+    fn replay(&mut self, journal: &str) -> Read<()> {
+        for change in items(json::parse(journal, PROJECT)?, MOST_CHANGES)? {
+            let edits = items(change, MOST_CHANGES)?;
+            if edits.is_empty() {
+                self.gesture = None;
+            }
+            for edit in edits {
+                let (edit, how) = Edit::read(edit, &|id| self.page(id))?;
+                if matches!(edit, Edit::Plan(_)) {
+                    return Err(Wrong::new("is an intent"));
+                }
+                self.apply(&edit, &how);
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the history and the gesture of the last edit. Later changes include none of those before.
+    pub fn save(&mut self) -> String {
+        self.series = None;
+        kept::write_saved(&self.history, self.gesture.as_deref(), &Vec::new())
     }
 
     /// All states, and the pages shown.
@@ -87,9 +144,23 @@ impl Editor {
     /// # Errors
     /// Errors of [`Planning::carry_out`], and `invalid-document` for values out of range, without any change.
     pub fn carry_out(&mut self, intent: &Intent, how: &How, photos: Vec<Known>) -> Result<bool> {
+        let edits = self.planned(intent, how, photos)?;
+        Ok(self.apply_all(&edits))
+    }
+
+    fn apply_all(&mut self, edits: &[(Edit, How)]) -> bool {
+        let mut changed = false;
+        for (edit, how) in edits {
+            changed |= self.apply(edit, how);
+        }
+        changed
+    }
+
+    /// The edits that carry out an intent.
+    fn planned(&self, intent: &Intent, how: &How, photos: Vec<Known>) -> Result<Vec<(Edit, How)>> {
         let turns = How { silent: true, gesture: None };
         let edits = match self.outcome(intent, photos)? {
-            None => return Ok(false),
+            None => Vec::new(),
             Some(Outcome::Shown(page)) if !how.silent => {
                 let page_id = self.history.fresh_page_id();
                 vec![Edit::ShowPage { page: validation::planned(page)?, page_id }]
@@ -102,21 +173,39 @@ impl Editor {
             Some(Outcome::Paper(settings, made)) => self.on_paper(settings, made)?,
             Some(Outcome::NoPage) => vec![Edit::NoPage],
             Some(Outcome::Version { page, page_id, at }) => {
-                let mut changed = false;
-                if at != self.project().pages.active() {
-                    changed |=
-                        self.apply(&Edit::SetSheets { sheets: self.project().sheets().to_vec(), at }, &turns);
-                }
-                return Ok(
-                    page.is_some_and(|page| self.apply(&Edit::ShowPage { page, page_id }, how)) || changed
-                );
+                let turn = (at != self.project().pages.active())
+                    .then(|| Edit::SetSheets { sheets: self.project().sheets().to_vec(), at });
+                let shown = page.map(|page| (Edit::ShowPage { page, page_id }, how.clone()));
+                return Ok(turn.map(|turn| (turn, turns)).into_iter().chain(shown).collect());
             }
         };
-        let mut changed = false;
-        for (i, edit) in edits.iter().enumerate() {
-            changed |= self.apply(edit, if i == 0 { how } else { &turns });
+        let how = |i| if i == 0 { how.clone() } else { turns.clone() };
+        Ok(edits.into_iter().enumerate().map(|(i, edit)| (edit, how(i))).collect())
+    }
+
+    /// Applies the edits of one change.
+    ///
+    /// Returns the number of earlier changes that it includes. A journal needs this one in place of them.
+    fn change(&mut self, edits: &[(Edit, How)], how: &How) -> usize {
+        let before = Self { history: self.history.clone(), gesture: self.gesture.clone(), series: None };
+        if !self.apply_all(edits) {
+            return 0;
         }
-        Ok(changed)
+        let gesture = how.gesture.clone().filter(|_| !how.silent);
+        let last = self.series.take();
+        let Some(mut series) = last.filter(|last| how.silent || gesture.is_some() && gesture == last.gesture)
+        else {
+            let starts = how.silent || gesture.is_some();
+            self.series = starts.then(|| Box::new(Series { before, gesture, count: 1 }));
+            return 0;
+        };
+        let mut alone = series.before.clone();
+        alone.apply_all(edits);
+        let includes = alone.gesture == self.gesture && kept::same_history(&alone.history, &self.history);
+        let count = if includes { std::mem::take(&mut series.count) } else { 0 };
+        series.count += 1;
+        self.series = Some(series);
+        count
     }
 
     /// The edits that change the page settings and pages, each with its index in the storyboard.
@@ -198,12 +287,40 @@ impl Editor {
         let read = json::parse(edit, PROJECT).and_then(|value| Edit::read(value, &|id| self.page(id)));
         let (edit, how) = read.map_err(|wrong| invalid(&wrong))?;
         let before = self.history.clone();
-        if let Edit::Plan(intent) = &edit {
-            self.carry_out(intent, &how, photos()?)?;
-        } else {
-            self.apply(&edit, &how);
+        let is_intent = matches!(edit, Edit::Plan(_));
+        let edits = match edit {
+            Edit::Plan(intent) => self.planned(&intent, &how, photos()?)?,
+            edit => vec![(edit, how.clone())],
+        };
+        let includes = self.change(&edits, &how);
+        let told = Told { edits: if is_intent { &edits[..] } else { &[] }, includes, dropped: &[] };
+        Ok(kept::difference(&self.history, &before, &told))
+    }
+
+    /// Returns the ids of all photos of the states and the page history, in JSON.
+    #[must_use]
+    pub fn photos_json(&self) -> String {
+        let history = &self.history;
+        let states = || [&history.present].into_iter().chain(&history.past).chain(&history.future);
+        let sheets = states().flat_map(|state| state.sheets()).map(|sheet| &sheet.page);
+        // Most states share their tray and their pages.
+        let mut seen = HashSet::new();
+        let mut ids: Vec<&str> = Vec::new();
+        for tray in states().map(|state| &state.tray) {
+            if seen.insert(tray.as_ptr().addr()) {
+                ids.extend(tray.iter().map(|item| item.id.as_str()));
+            }
         }
-        Ok(kept::difference(&self.history, &before))
+        for page in sheets.chain(history.shown.iter().map(|shown| &shown.page)) {
+            if seen.insert(Arc::as_ptr(page).addr()) {
+                ids.extend(page.panels.iter().filter_map(|content| content.photo.as_deref()));
+            }
+        }
+        let mut known = HashSet::new();
+        ids.retain(|id| known.insert(*id));
+        let mut out = json::Writer::default();
+        out.list(&ids, &|out, id| out.text(id));
+        out.finish()
     }
 
     /// Returns the page with this id from the storyboard or the page history, or `None`.
@@ -285,5 +402,91 @@ impl Editor {
             }
         }
         !news.is_empty()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+    use super::*;
+    use serde_json::{Value, json};
+
+    /// Applies edits; returns how many earlier changes each includes.
+    fn played(editor: &mut Editor, edits: &Value) -> Vec<u64> {
+        let edits = edits.as_array().unwrap();
+        let told = edits.iter().map(|edit| editor.apply_json(&edit.to_string()).unwrap());
+        let told = told.map(|told| serde_json::from_str::<Value>(&told).unwrap());
+        told.map(|told| told["includes"].as_u64().unwrap()).collect()
+    }
+
+    #[test]
+    fn a_saved_editor_goes_on_with_a_journal() {
+        let mut editor = Editor::default();
+        let before = json!([
+            { "type": "add-photos", "ids": ["a", "b"] },
+            { "type": "rename", "name": "One", "gesture": "g" },
+        ]);
+        played(&mut editor, &before);
+        let saved = editor.save();
+        let edits = json!([
+            { "type": "rename", "name": "Two", "gesture": "g" },
+            { "type": "star-photo", "id": "a", "on": true },
+            { "type": "star-photo", "id": "b", "on": true, "silent": true },
+            { "type": "undo" },
+        ]);
+        played(&mut editor, &edits);
+        let journal = json!([[edits[0], edits[1]], [edits[2]], [edits[3]]]);
+        let (again, dropped) = Editor::load(&saved, &journal.to_string()).unwrap();
+        assert_eq!((again.history(), dropped.len()), (editor.history(), 0));
+        // The first edit continues the gesture that was saved. After loading, no gesture is continued.
+        let (mut again, _) = Editor::load(&saved, "").unwrap();
+        let steps = again.history().past.len();
+        played(&mut again, &json!([edits[0]]));
+        assert_eq!(again.history().past.len(), steps + 1);
+        let (ended, _) = Editor::load(&saved, &json!([[], [edits[0]]]).to_string()).unwrap();
+        assert_eq!(ended.history(), again.history());
+        for wrong in [
+            json!([[{ "type": "recrop" }]]),
+            json!([[{ "type": "fly" }]]),
+            json!([{ "type": "undo" }]),
+            json!([[7]]),
+            json!({}),
+        ] {
+            assert_eq!(Editor::load(&saved, &wrong.to_string()).unwrap_err().code(), "invalid-document");
+        }
+        assert_eq!(Editor::load("{}", "").unwrap_err().code(), "damaged-project");
+    }
+
+    #[test]
+    fn a_later_change_of_a_gesture_includes_earlier_ones_only_if_it_alone_gives_the_same_history() {
+        let mut editor = Editor::default();
+        let named = |name: &str, gesture: &str| json!({ "type": "rename", "name": name, "gesture": gesture });
+        let star = |id: &str| json!({ "type": "star-photo", "id": id, "on": true, "gesture": "g" });
+        let silent = |name: &str| json!({ "type": "rename", "name": name, "silent": true });
+        let edits = json!([
+            { "type": "add-photos", "ids": ["a", "b"] },
+            named("One", "g"), named("Two", "g"), silent("Three"), named("Four", "g"), named("Four", "g"),
+            star("a"), star("b"), named("Five", "h"), named("Six", "h"), { "type": "undo" }, named("Seven", "h"),
+            silent("Eight"), { "type": "lock", "part": "style", "on": true }, silent("Nine"), silent("Ten"),
+        ]);
+        assert_eq!(played(&mut editor, &edits), [0, 0, 1, 0, 2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1]);
+        // A journal begins after a save.
+        played(&mut editor, &json!([named("One", "g")]));
+        editor.save();
+        assert_eq!(played(&mut editor, &json!([named("Two", "g"), named("Three", "g")])), [0, 1]);
+    }
+
+    #[test]
+    fn photos_of_all_times_are_told_once() {
+        let mut editor = Editor::default();
+        let edits = json!([
+            { "type": "add-photos", "ids": ["a", "b"] },
+            { "type": "remove-photos", "ids": ["a"] },
+            { "type": "add-photos", "ids": ["c"] },
+            { "type": "undo" },
+        ]);
+        played(&mut editor, &edits);
+        assert_eq!(editor.photos_json(), r#"["b","a","c"]"#);
     }
 }

@@ -4,9 +4,11 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+#[cfg(feature = "detect")]
+use super::Expression;
 use super::energy::EnergyMap;
 use super::facts::Facts;
-use super::{Crop, Expression, FACE, FIGURE, LETTERING, Subject};
+use super::{Crop, FACE, FIGURE, LETTERING, Subject};
 use crate::raster::Matte;
 
 /// Largest distance of a person without a head from the top of the photo, and the least height of the person.

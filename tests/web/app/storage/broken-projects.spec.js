@@ -19,9 +19,13 @@ async function loadDamaged(page, change) {
   await idle(page);
 }
 
-/** @param {string} fields of the page */
-const onPage = (fields) =>
-  `({ ...record, history: { ...record.history, present: { ...record.history.present, page: { ...record.history.present.page, ${fields} } } } })`;
+/** Changes the page of the present state. @param {string} fields of the page */
+const onPage = (fields) => `(() => {
+  const kept = JSON.parse(new TextDecoder().decode(record.bytes));
+  const { parts, present } = kept.history;
+  present.page = parts.pages.push({ ...parts.pages[present.page], ${fields} }) - 1;
+  return { ...record, bytes: new TextEncoder().encode(JSON.stringify(kept)) };
+})()`;
 
 test('a damaged project is restored or saved as a file, and other projects can be opened', async ({ page }) => {
   await openBoard(page, SIX.slice(0, 3));

@@ -1,7 +1,8 @@
 // @ts-check
 /** A tab that the system kills: all work remains when the app is opened again. */
 
-import { contents, expect, idle, openBoard, press, test } from '../support.js';
+import { contents, expect, idle, openBoard, picture, press, test } from '../support.js';
+import { boxOf, changed, drag, four } from '../panels.js';
 import { openWords, word, write } from '../text-items.js';
 
 /** @typedef {import('../support.js').Page} Page */
@@ -44,6 +45,30 @@ test('all work remains after the tab is killed, including the last step', async 
   await again.getByRole('button', { name: 'Undo' }).click();
   await idle(again);
   expect((await contents(again)).layout).not.toBe(before.layout);
+});
+
+test('a drag that was never saved remains after the tab is killed, as one undo step', async ({ page }) => {
+  await four(page);
+  const { x, y } = await boxOf(page, 1);
+  await page.mouse.move(x + 60, y + 60);
+  await page.mouse.wheel(0, -240);
+  await idle(page);
+  await expect(page.locator('.save-state')).toHaveText('Saved');
+  const near = await picture(page);
+  await page.evaluate(() => {
+    IDBObjectStore.prototype.put = () => {
+      throw new Error('The disk has hiccups.');
+    };
+  });
+  await drag(page, [x + 60, y + 60], [x + 20, y + 30]);
+  const panned = await picture(page);
+  expect(changed(near, panned)).toEqual([1]);
+  await kill(page);
+
+  const again = await openedAgain(page);
+  expect(changed(panned, await picture(again))).toEqual([]);
+  await press(again, 'Undo');
+  expect(changed(near, await picture(again))).toEqual([]);
 });
 
 test('photos that were added right before the tab was killed remain, or are requested by name', async ({ page }) => {

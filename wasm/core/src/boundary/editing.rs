@@ -1,11 +1,9 @@
 //! A project while it is edited, held by the page.
 
 use super::album::Album;
-use inkpanel_engine::document::Dropped;
 use inkpanel_engine::document::editor::Editor as Hands;
 use inkpanel_engine::document::{kept, own};
-use inkpanel_engine::error::Result;
-use inkpanel_engine::json;
+use inkpanel_engine::error::{Error, Result};
 use wasm_bindgen::prelude::*;
 
 /// An editor.
@@ -24,20 +22,18 @@ impl Editor {
         Self::default()
     }
 
-    /// Replaces the project by a history with tables (see `document::kept`). Throws `damaged-project`,
-    /// `newer-project` or `too-large-project`, without any change. Returns `{dropped, pageId, sheet}` as
-    /// JSON: the dropped parts, and ids for a new page and a new sheet.
-    pub fn load(&mut self, json: &str) -> Result<String> {
-        let (history, dropped) = kept::parse(json)?;
-        let mut out = json::Writer::default();
-        out.open(b'{');
-        out.key("dropped").texts(&dropped);
-        let (page_id, sheet) = history.fresh();
-        out.key("pageId").whole(page_id);
-        out.key("sheet").whole(sheet);
-        out.close(b'}');
-        self.hands = Hands::new(history);
-        Ok(out.finish())
+    /// Replaces the project by the output of `save`, and applies the changes of a journal that were made since: a
+    /// list of lists of edits as JSON, or an empty text. An empty list ends the gesture. Throws `damaged-project`,
+    /// `newer-project`, `too-large-project`, or `invalid-document` for the journal, without any change. Returns
+    /// the project as JSON, see `document::kept::loaded`.
+    pub fn load(&mut self, bytes: &[u8], journal: &str) -> Result<String> {
+        let text = std::str::from_utf8(bytes).map_err(|_| Error::DamagedProject {
+            location: "project".into(),
+            reason: "is not UTF-8 text".into(),
+        })?;
+        let (hands, dropped) = Hands::load(text, journal)?;
+        self.hands = hands;
+        Ok(kept::loaded(self.hands.history(), &dropped))
     }
 
     /// Applies an edit: an object with a `type`, see `document::edit::Edit`. The album has the photos in use.
@@ -58,10 +54,15 @@ impl Editor {
         self.hands.obstacles_json(panels)
     }
 
-    /// The complete history with tables, as input of `load`.
+    /// The complete history with tables, as input of `load`: JSON in UTF-8.
+    pub fn save(&mut self) -> Vec<u8> {
+        self.hands.save().into_bytes()
+    }
+
+    /// The ids of all photos of the history, a JSON array.
     #[must_use]
-    pub fn save(&self) -> String {
-        kept::write(self.hands.history(), &Dropped::new())
+    pub fn photos(&self) -> String {
+        self.hands.photos_json()
     }
 }
 
