@@ -1,6 +1,6 @@
 //! Settings of `render` and `book` in a file. Each setting has the name of an option. The command line takes precedence.
 
-use crate::{CliError, input, run};
+use crate::{CliError, run};
 use clap::{Arg, Command, CommandFactory};
 use serde_json::{Map, Value};
 use std::any::TypeId;
@@ -129,7 +129,7 @@ fn is_said(arguments: &[OsString], option: &Arg) -> bool {
 }
 
 fn located(file: &str, folder: &Path) -> PathBuf {
-    if file == input::STANDARD { PathBuf::from(file) } else { folder.join(file) }
+    if file == run::STANDARD { PathBuf::from(file) } else { folder.join(file) }
 }
 
 /// A text or a number, or several.

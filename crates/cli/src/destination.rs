@@ -3,7 +3,7 @@
 
 use crate::CliError;
 use crate::format::Format;
-use crate::input::is_standard;
+use crate::run::is_standard;
 use serde_json::Value;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};

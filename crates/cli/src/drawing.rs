@@ -2,10 +2,9 @@
 
 use crate::destination::{Output, write};
 use crate::format::Format;
-use crate::input::is_standard;
 use crate::masks::Masks;
 use crate::photos::Photos;
-use crate::run::Run;
+use crate::run::{Run, is_standard};
 use crate::{CliError, detectors, language, own_pages};
 use inkpanel_engine::framing::Subject;
 use inkpanel_engine::layout::{self, PagePreset, PaperSize};

@@ -1,7 +1,7 @@
 //! Photo sources of the command line: files, folders as albums, and standard input.
 
 use crate::report::Report;
-use crate::run::Run;
+use crate::run::{Run, is_standard};
 use crate::{CliError, own_pages};
 use inkpanel::survived;
 use inkpanel_engine::kinds::clearer;
@@ -14,17 +14,10 @@ use std::collections::HashSet;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
-/// Name of standard input and standard output.
-pub(crate) const STANDARD: &str = "-";
 /// Folders in folders that are looked into.
 const DEEPEST: usize = 8;
 /// Files that one run takes, more than an album has: a folder may be a whole disk.
 const MOST_FILES: usize = 100_000;
-
-/// Whether a path is standard input or output.
-pub(crate) fn is_standard(path: &Path) -> bool {
-    path.as_os_str() == STANDARD
-}
 
 /// Display name of a file.
 pub(crate) fn told(path: &Path) -> String {

@@ -1,7 +1,7 @@
 //! The photos of a command: an album of the public API, and the files of its photos.
 
-use crate::input::{is_standard, name, told};
-use crate::run::Run;
+use crate::input::{name, told};
+use crate::run::{Run, is_standard};
 use crate::{CliError, detectors, report};
 use inkpanel::{Album, Nets, PageOptions, Photo};
 use inkpanel_engine::framing::PhotoMeta;

@@ -2,9 +2,9 @@
 
 use crate::destination::{Output, print_lines};
 use crate::format::Format;
-use crate::input::{is_standard, name};
+use crate::input::name;
 use crate::photos::{BY_CONTRAST, Photos};
-use crate::run::Run;
+use crate::run::{Run, is_standard};
 use crate::{CliError, drawing, report};
 use inkpanel_engine::framing::{Crop, PhotoMeta};
 use inkpanel_engine::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};

@@ -2,15 +2,21 @@
 //! files.
 
 use crate::CliError;
-use crate::input::is_standard;
 use crate::report::Report;
 use inkpanel_engine::texts;
 use std::io::Read;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
+/// Name of standard input and standard output.
+pub(crate) const STANDARD: &str = "-";
 /// Bytes that are taken from standard input.
 const MOST_INPUT: u64 = 1 << 30;
+
+/// Whether a path is standard input or output.
+pub(crate) fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == STANDARD
+}
 
 /// A run of the command line.
 pub(crate) struct Run {

@@ -6,7 +6,7 @@ use crate::destination::{Output, print_json};
 use crate::format::Format;
 use crate::input::{self, name};
 use crate::photos::Photos;
-use crate::run::Run;
+use crate::run::{self, Run};
 use crate::{CliError, detectors, drawing, plans, projects};
 use clap::ValueEnum;
 use inkpanel::{BookOptions, BookPlan};
@@ -77,7 +77,7 @@ pub(crate) fn make(run: &Run, made: &Book) -> Result<(), CliError> {
     let output = made.output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
     if let Some(output) = &output {
         how.printing.check(Format::of(&output.named)?)?;
-        if chosen.json && input::is_standard(&output.path) {
+        if chosen.json && run::is_standard(&output.path) {
             return Err("--json and the book cannot both go to standard output".into());
         }
         if how.skip_existing && output.exists() {

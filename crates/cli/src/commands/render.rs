@@ -8,7 +8,7 @@ use crate::format::Format;
 use crate::input::{self, decode_file, told};
 use crate::masks::Masks;
 use crate::photos::Photos;
-use crate::run::Run;
+use crate::run::{self, Run};
 use crate::{CliError, documents, drawing, plans, projects, reading, reopening, strips};
 use clap::builder::PossibleValuesParser;
 use inkpanel_engine::document::shots::FRAMES;
@@ -106,7 +106,7 @@ pub(crate) fn render(run: &Run, render: &Render) -> Result<(), CliError> {
     if let Some(output) = &output {
         how.printing.check(Format::of(&output.named)?)?;
     }
-    if planned.album.json && output.as_ref().is_some_and(|output| input::is_standard(&output.path)) {
+    if planned.album.json && output.as_ref().is_some_and(|output| run::is_standard(&output.path)) {
         return Err("--json and the page cannot both go to standard output".into());
     }
     if let Some(output) = output.as_ref().filter(|output| how.skip_existing && is_made(output, planned)) {
