@@ -1,4 +1,4 @@
-//! Parameters of a block. Controls, the JSON check, the style generator and the documentation all use these
+//! Parameters of a block. Controls, the JSON check, styles from a picture and the documentation all use these
 //! descriptors.
 
 use super::texture::Texture;
@@ -19,7 +19,7 @@ pub struct Param {
     pub face: Option<FaceLimit>,
     /// How a style from a picture adapts it. `None`: at random only.
     pub gaps: Option<Gaps>,
-    /// Whether it selects a kind, not an amount. A style from a picture then changes it only on purpose.
+    /// Whether random changes leave it alone, in the search for a style from a picture: for example a choice of kinds.
     pub is_fixed: bool,
     /// How a repeating structure depends on it.
     pub repeat: Option<Repeat>,
@@ -193,7 +193,7 @@ impl Param {
         Self { gaps: Some(gaps), ..self }
     }
 
-    /// Marks a parameter that selects a kind.
+    /// Marks a parameter that random changes leave alone.
     #[must_use]
     pub const fn fixed(self) -> Self {
         Self { is_fixed: true, ..self }

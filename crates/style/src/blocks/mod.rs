@@ -1,5 +1,5 @@
 //! The registry of filter blocks. A new block is one file here and one line in [`ALL`]: controls, style
-//! files, their check, the procedural generator and the documentation follow from its descriptor.
+//! files, their check and the documentation follow from its descriptor. Random styles have a separate list of blocks.
 
 mod brightness;
 mod colorize;
