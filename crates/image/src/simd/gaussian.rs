@@ -69,8 +69,8 @@ trait Rows {
     fn size(&self) -> (usize, usize);
     /// Copies a row to `row`, which has its width.
     fn read(&self, y: usize, row: &mut [i16]);
-    /// Replaces a row.
-    fn write(&mut self, y: usize, row: &[i16]);
+    /// Replaces a row by what `make` writes. `spare` has its width.
+    fn write(&mut self, y: usize, spare: &mut [i16], make: impl FnOnce(&mut [i16]));
 }
 
 /// A plane, and its copy that is written.
@@ -88,8 +88,8 @@ impl Rows for Copied<'_> {
         row.copy_from_slice(self.source.row_clamped(y as isize));
     }
 
-    fn write(&mut self, y: usize, row: &[i16]) {
-        self.out.row_mut(y).copy_from_slice(row);
+    fn write(&mut self, y: usize, _: &mut [i16], make: impl FnOnce(&mut [i16])) {
+        make(self.out.row_mut(y));
     }
 }
 
@@ -102,8 +102,9 @@ impl Rows for Plane {
         widen_row(self.row(y), row);
     }
 
-    fn write(&mut self, y: usize, row: &[i16]) {
-        narrow_row(row, self.row_mut(y));
+    fn write(&mut self, y: usize, spare: &mut [i16], make: impl FnOnce(&mut [i16])) {
+        make(spare);
+        narrow_row(spare, self.row_mut(y));
     }
 }
 
@@ -158,19 +159,18 @@ fn smooth_direct(rows: &mut impl Rows, sigma: f32, buffers: &mut Buffers) {
     let (width, height) = rows.size();
     let radius = kernel.radius();
     let mut recent = Recent::new(width, height, 2 * radius + 1, buffers);
-    let mut out = buffers.take(width, 1);
-    let mut source = buffers.take(width, 1);
+    let mut spare = buffers.take(width, 1);
     for y in 0..height as isize {
         recent.make(y + radius as isize, |y, row| {
-            rows.read(y, source.row_mut(0));
-            pad_row(source.row_clamped(0), radius, width + 2 * radius, &mut buffers.padded);
+            rows.read(y, spare.row_mut(0));
+            pad_row(spare.row_clamped(0), radius, width + 2 * radius, &mut buffers.padded);
             fir::horizontal(&kernel, &buffers.padded, row);
         });
-        fir::vertical(&kernel, |k| recent.row_clamped(y + k), out.row_mut(0));
-        rows.write(y as usize, out.row_clamped(0));
+        rows.write(y as usize, spare.row_mut(0), |out| {
+            fir::vertical(&kernel, |k| recent.row_clamped(y + k), out);
+        });
     }
-    buffers.give(source);
-    buffers.give(out);
+    buffers.give(spare);
     buffers.give(recent.rows);
 }
 
@@ -207,7 +207,7 @@ fn interpolate(half: &Fine, margin: usize, rows: &mut impl Rows, buffers: &mut B
     let reach = even.radius().max(odd.radius());
     let (width, height) = rows.size();
     let mut recent = Recent::new(width, half.height(), 2 * reach + 1, buffers);
-    let mut out = buffers.take(width, 1);
+    let mut spare = buffers.take(width, 1);
     let length = half.width() + 2 * reach;
     for y in 0..height {
         let first = (y / 2 + margin) as isize;
@@ -217,10 +217,9 @@ fn interpolate(half: &Fine, margin: usize, rows: &mut impl Rows, buffers: &mut B
             fir::interpolate((&even, &odd), padded, reach + margin, row, split);
         });
         let row = |j: isize| recent.row_clamped(j + margin as isize);
-        fir::vertical_between((&even, &odd), y, row, out.row_mut(0));
-        rows.write(y, out.row_clamped(0));
+        rows.write(y, spare.row_mut(0), |out| fir::vertical_between((&even, &odd), y, row, out));
     }
-    buffers.give(out);
+    buffers.give(spare);
     buffers.give(recent.rows);
 }
 
@@ -275,6 +274,24 @@ mod tests {
                     .map(|(&a, b)| (f64::from(a) / 64.0 - b).abs())
                     .fold(0.0, f64::max);
                 assert!(worst < 0.5, "{width}x{height} sigma {sigma}: {worst}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_plane_in_place_has_the_pixels_of_a_copy() {
+        let mut random = oorandom::Rand32::new(3);
+        let mut buffers = Buffers::default();
+        for (width, height) in [(67, 41), (1, 30), (33, 1)] {
+            let plane = Plane::from_fn(width, height, |_, _| random.rand_u32() as u8);
+            for sigma in [0.7, 2.0, 3.3, 17.0] {
+                let mut fine = buffers.take(width, height);
+                fine.widen(&plane);
+                let mut copy = Plane::filled(width, height, 0);
+                blur(&fine, sigma, &mut buffers).narrow(&mut copy);
+                let mut same = plane.clone();
+                blur_plane(&mut same, sigma, &mut buffers);
+                assert_eq!(same.samples(), copy.samples(), "{width}x{height} sigma {sigma}");
             }
         }
     }
