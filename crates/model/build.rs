@@ -1,13 +1,16 @@
 //! Embeds the layouts: every file of `layouts/` becomes a (name, text) pair of a table in `OUT_DIR`, which
-//! `layout` includes. `crates/style/build.rs` embeds `styles/`.
+//! `layout` includes. `crates/style/build.rs` embeds `styles/` with equal code: a file that both scripts include would be in the
+//! package of neither.
 
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::{env, fs, io};
 
 /// Writes `OUT_DIR/layouts.rs` with `static LAYOUT_FILES: &[(&str, &str)]`, sorted by file name.
 fn main() -> io::Result<()> {
-    let mut files: Vec<_> = fs::read_dir(top("layouts"))?
+    let folder = layouts();
+    println!("cargo:rerun-if-changed={}", folder.display());
+    let mut files: Vec<_> = fs::read_dir(folder)?
         .filter_map(Result::ok)
         .map(|entry| entry.path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
@@ -24,13 +27,11 @@ fn main() -> io::Result<()> {
     fs::write(Path::new(&out).join("layouts.rs"), source)
 }
 
-/// Returns a folder at the top of the repository, or inside the published crate, which has copies instead of the links. A change in
-/// it starts this program again.
-fn top(name: &str) -> PathBuf {
-    let folder = Path::new("../..").join(name);
-    let folder = if folder.is_dir() { folder } else { PathBuf::from(name) };
-    println!("cargo:rerun-if-changed={}", folder.display());
-    folder
+/// The layouts folder: at the top of the repository, or inside the published crate, which has a copy instead
+/// of the link.
+fn layouts() -> &'static Path {
+    let top = Path::new("../../layouts");
+    if top.is_dir() { top } else { Path::new("layouts") }
 }
 
 /// Removes white space between JSON tokens, because every visitor downloads these texts.

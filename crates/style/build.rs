@@ -1,5 +1,5 @@
 //! Embeds the designed styles: every file of `styles/` becomes a (name, text) pair of a table in `OUT_DIR`, which
-//! `catalogue.rs` includes. `crates/engine/build.rs` embeds the layouts with equal code: a file that both scripts include would be
+//! `catalogue.rs` includes. `crates/model/build.rs` embeds the layouts with equal code: a file that both scripts include would be
 //! in the package of neither.
 
 use std::fmt::Write as _;

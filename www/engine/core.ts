@@ -128,7 +128,7 @@ export function createPlanner() {
   };
 }
 
-/** The editor of a project. It has the history, of which the app has a readable copy of a part. */
+/** The editor of a project with its history. The app has a readable copy of the present and of the page history. */
 function createEditor(album: KnownPhotos) {
   const editor = new core.Editor();
   return {

@@ -227,7 +227,7 @@ export function createSaving({
       .filter((fact) => !facts.has(fact.id))
       .map((fact) => [fact.id, fact.name] as const);
     const bases = next ? [base, next] : [base];
-    // Of a project that was never written, the journal has only the names of photos.
+    // The journal has only the names of photos if the project was never written.
     const told = bases.filter(({ stamp }) => stamp !== '');
     const editing = store.editing();
     const first = Math.min(...told.map(({ at }) => at));

@@ -13,7 +13,7 @@
 //! | [`layout`] | page templates, their geometry, and changes of them |
 //! | [`page`] | a page: layout, style, photos, crops, text and settings |
 //! | [`reference`](mod@reference) | a layout or a style by its id, or in full |
-//! | [`crop`], [`subject`] | the shown part of a photo, and what was detected in it |
+//! | [`crop`], [`subject`] | the shown part of a photo, and its detected faces and objects |
 //! | [`text`] | text items |
 //! | [`text_links`] | the photos of text items |
 //! | [`validation`] | whether a page can be drawn |

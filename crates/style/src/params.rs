@@ -19,7 +19,7 @@ pub struct Param {
     pub face: Option<FaceLimit>,
     /// How a style from a picture adapts it. `None`: at random only.
     pub gaps: Option<Gaps>,
-    /// Whether random changes leave it alone, in the search for a style from a picture: for example a choice of kinds.
+    /// Whether the search for a style from a picture does not change it at random, for example because it selects a kind.
     pub is_fixed: bool,
     /// How a repeating structure depends on it.
     pub repeat: Option<Repeat>,
@@ -193,7 +193,7 @@ impl Param {
         Self { gaps: Some(gaps), ..self }
     }
 
-    /// Marks a parameter that random changes leave alone.
+    /// Marks a parameter that the search for a style from a picture does not change at random.
     #[must_use]
     pub const fn fixed(self) -> Self {
         Self { is_fixed: true, ..self }
