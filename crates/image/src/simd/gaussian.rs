@@ -69,7 +69,7 @@ trait Rows {
     fn size(&self) -> (usize, usize);
     /// Copies a row to `row`, which has its width.
     fn read(&self, y: usize, row: &mut [i16]);
-    /// Replaces a row by what `make` writes. `spare` has its width.
+    /// Replaces a row by the output of `make`. `spare` has its width.
     fn write(&mut self, y: usize, spare: &mut [i16], make: impl FnOnce(&mut [i16]));
 }
 
