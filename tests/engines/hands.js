@@ -396,7 +396,7 @@ export async function personIn({ driver, downloads }, address) {
     /** The project as a file. */
     async savedProject() {
       await press('Projects');
-      const file = await saved(() => click('button', 'Save project'));
+      const file = await saved(() => click('button', 'Save project file'));
       await press('Back to the page');
       return file;
     },

@@ -27,8 +27,10 @@ test('a page is made, shuffled, changed by hand, and there again after a reload'
 
   const panel = await person.one('group', 'Panel 2 of 4');
   await panel.click();
+  await person.press('Crop');
   await person.press('Zoom in');
   await person.press('Zoom in');
+  await person.press('Done');
   const near = await person.picture();
   await person.drag(panel, [40, 30]);
   await expect.poll(() => person.picture()).not.toBe(near);
@@ -73,6 +75,7 @@ test('a slider of the designer changes a style, and the explorer invents some', 
 
 test('faces and animals are found', async ({ person }) => {
   await person.begin(photos('camera.jpg', 'cat.jpg', 'horses.jpg', 'macaw.jpg'), { detects: true });
+  await person.click('button', 'More', ['toolbar', 'Panel tools']);
   await person.press('Show subjects');
   const labels = () =>
     person.inPage(() =>
@@ -98,7 +101,9 @@ test('the page becomes files of every kind, and goes to the clipboard', async ({
   await person.select('Resolution', '0.5');
   await person.click('button', 'Copy to clipboard', ['dialog', 'Export']);
   await expect
-    .poll(() => person.inPage(() => document.querySelector('[role=status]')?.textContent))
+    .poll(() =>
+      person.inPage(() => [...document.querySelectorAll('[role=status]')].map(({ textContent }) => textContent).join()),
+    )
     .toContain('copied to the clipboard');
 });
 
