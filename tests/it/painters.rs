@@ -191,6 +191,38 @@ fn strong_paint_spares_faces() {
     }
 }
 
+/// A painting costs much more than the rest of a picture, so it is only done where it is seen. The network asks for
+/// cancellation at regular rows, which counts its work.
+#[test]
+fn nothing_is_painted_that_is_not_seen() {
+    let (painters, photo) = (painters(), sized(&photo("www/public/samples/19-astronaut.jpg"), 512, 512));
+    let work = |params: &str, faces: Vec<FaceBox>, subject: Option<Plane>| {
+        let asked = std::cell::Cell::new(0);
+        let count = || {
+            asked.set(asked.get() + 1);
+            false
+        };
+        let mut context = Context::for_image(&photo);
+        context.show_painters(Some(painters.clone()));
+        context.show_faces(faces);
+        context.show_subject(subject);
+        context.stop_when(&count);
+        stylize(&photo, &style(params), &mut context).unwrap();
+        asked.get()
+    };
+    let large = FaceBox { x: 140.0, y: 40.0, width: 160.0, height: 200.0 };
+    let plain = work("", Vec::new(), None);
+    assert!(plain > 100, "{plain}");
+    // The painting of a large face is a part of the whole painting.
+    let again = work("", vec![large], None) - plain;
+    assert!(again < 10, "{again} of {plain}");
+    // Without a mask, the whole picture is the subject.
+    let background = r#","where":"background""#;
+    assert!(work(background, Vec::new(), None) < 10);
+    let half = Plane::from_fn(512, 512, |x, _| if x < 256 { 255 } else { 0 });
+    assert!(work(background, Vec::new(), Some(half)) >= plain);
+}
+
 /// Pearson's coefficient of two planes.
 fn correlation(a: &[u8], b: &[u8]) -> f64 {
     let mean = |values: &[u8]| values.iter().map(|&v| f64::from(v)).sum::<f64>() / values.len() as f64;

@@ -7,7 +7,7 @@
 use super::blocks::{Channels, Kernel};
 use super::context::Context;
 use super::file::Step;
-use super::part::{self, widened};
+use super::part::{self, Part, widened};
 use super::point_op::PointOp;
 use crate::error::Result;
 use crate::raster::resize::{Region, resample};
@@ -134,6 +134,10 @@ fn push_fused(ops: &mut Vec<PointOp>, op: PointOp) {
 /// Runs a block. A block with a part changes only that part.
 fn run_block(step: &Step, chroma_wanted: bool, image: Image, context: &mut Context<'_>) -> Result<Image> {
     let Some(part) = step.part else { return run_everywhere(step, chroma_wanted, image, context) };
+    if part == Part::Background && context.subject().is_none() && step.block.output == step.block.input {
+        // The whole picture is the subject.
+        return Ok(image);
+    }
     let before = image.clone();
     let after = run_everywhere(step, chroma_wanted, image, context)?;
     Ok(part::mixed(before, after, part, context))

@@ -35,13 +35,23 @@ pub struct Context<'a> {
 }
 
 /// Measurement of a block in a whole picture.
-#[derive(Clone)]
 #[allow(clippy::large_enum_variant, reason = "a style has few of them")]
 pub(crate) enum Measured {
     /// The operation of a block that looks at tones.
     Tones(PointOp),
-    /// The statistics of a painter.
-    Norms(Arc<Norms>),
+    /// The statistics of a painter, and its painting if it was recorded.
+    Painting(Arc<Norms>, Option<Image>),
+}
+
+impl Measured {
+    /// The measurement for a part of the picture. `cut` returns the part of a painting, or `None` if the part is painted
+    /// again.
+    pub(crate) fn of_part(&self, cut: impl FnOnce(&Image) -> Option<Image>) -> Self {
+        match self {
+            Self::Tones(op) => Self::Tones(op.clone()),
+            Self::Painting(norms, painting) => Self::Painting(norms.clone(), painting.as_ref().and_then(cut)),
+        }
+    }
 }
 
 /// Measurements of blocks, in order. Parts of a picture use the measurements of the whole picture.
@@ -50,8 +60,8 @@ enum KnownTones {
     /// Blocks measure each picture.
     #[default]
     None,
-    /// The measurements so far.
-    Recorded(Vec<Measured>),
+    /// The measurements so far, and whether paintings are recorded.
+    Recorded(Vec<Measured>, bool),
     /// The next measurements.
     Replayed(std::vec::IntoIter<Measured>),
 }
@@ -117,15 +127,15 @@ impl<'a> Context<'a> {
         self.subject.as_ref()
     }
 
-    /// Records the operations of blocks that look at the tones of the next picture.
-    pub(crate) fn record_tones(&mut self) {
-        self.tones = KnownTones::Recorded(Vec::new());
+    /// Records the measurements of blocks in the next picture. `paintings`: also records what painters draw.
+    pub(crate) fn record_tones(&mut self, paintings: bool) {
+        self.tones = KnownTones::Recorded(Vec::new(), paintings);
     }
 
     /// Ends recording and replaying, and returns the recorded operations.
     pub(crate) fn recorded_tones(&mut self) -> Vec<Measured> {
         match std::mem::take(&mut self.tones) {
-            KnownTones::Recorded(ops) => ops,
+            KnownTones::Recorded(ops, _) => ops,
             _ => Vec::new(),
         }
     }
@@ -143,7 +153,7 @@ impl<'a> Context<'a> {
             return op;
         }
         let op = make(self);
-        if let KnownTones::Recorded(ops) = &mut self.tones {
+        if let KnownTones::Recorded(ops, _) = &mut self.tones {
             ops.push(Measured::Tones(op.clone()));
         }
         op
@@ -197,28 +207,29 @@ impl<'a> Context<'a> {
         self.steady = Steady::Off;
     }
 
-    /// Returns the statistics for the next painter, if this picture is a part or a later frame of a measured one.
-    pub(crate) fn known_norms(&mut self) -> Option<Arc<Norms>> {
+    /// Returns the statistics of the next painter, if this picture is a part or a later frame of a measured one, and its
+    /// painting if it was recorded.
+    pub(crate) fn known_painting(&mut self) -> Option<(Arc<Norms>, Option<Image>)> {
         if let KnownTones::Replayed(ops) = &mut self.tones {
             return match ops.next() {
-                Some(Measured::Norms(norms)) => Some(norms),
+                Some(Measured::Painting(norms, painting)) => Some((norms, painting)),
                 _ => None,
             };
         }
         let Steady::Later(all, used) = &mut self.steady else { return None };
         let norms = all.get(*used).cloned()?;
         *used += 1;
-        if let KnownTones::Recorded(ops) = &mut self.tones {
-            ops.push(Measured::Norms(norms.clone()));
-        }
-        Some(norms)
+        Some((norms, None))
     }
 
-    /// Stores the statistics that a painter measured.
-    pub(crate) fn note_norms(&mut self, norms: Norms) {
-        let norms = Arc::new(norms);
-        if let KnownTones::Recorded(ops) = &mut self.tones {
-            ops.push(Measured::Norms(norms.clone()));
+    /// Stores the statistics of a painter, and what it drew.
+    pub(crate) fn note_painting(&mut self, norms: Arc<Norms>, painting: &Image) {
+        match &mut self.tones {
+            KnownTones::Recorded(ops, paintings) => {
+                ops.push(Measured::Painting(norms.clone(), paintings.then(|| painting.clone())));
+            }
+            KnownTones::Replayed(_) => return,
+            KnownTones::None => {}
         }
         if let Steady::First(all) = &mut self.steady {
             all.push(norms);

@@ -196,10 +196,6 @@ impl<'a> Care<'a> {
             return chain::run(steps, photo, context);
         }
         let (areas, screens) = steps.split_at(first_screen(steps));
-        context.record_tones();
-        let drawn = chain::run(areas, photo, context);
-        let tones = context.recorded_tones();
-        let mut drawn = drawn?;
         let finer: Vec<Step> = areas.iter().map(|step| finer(step, context.scale())).collect();
         let adapted: Vec<Step> = areas.iter().map(adapted).collect();
         let large = LARGE * context.scale();
@@ -207,11 +203,17 @@ impl<'a> Care<'a> {
         let all = areas.iter().any(|step| !step.bypass && step.block.adapts_to_large_faces);
         let again = |face: &&&FaceBox| all || is_small(face);
         let faces: Vec<&FaceBox> = self.faces.iter().filter(again).take(MOST_FACES).copied().collect();
+        // Painters paint a large face like its surroundings, so its painting is a part of the whole painting.
+        context.record_tones(faces.iter().any(|face| !is_small(face)));
+        let drawn = chain::run(areas, photo, context);
+        let tones = context.recorded_tones();
+        let mut drawn = drawn?;
         let subject = context.subject().cloned();
         for face in faces {
             let Some(room) = Room::around(face, photo) else { continue };
             context.show_subject(subject.as_ref().map(|plane| room.cut_plane(plane)));
-            context.replay_tones(tones.clone());
+            let cut = |painting: &Image| (!is_small(face)).then(|| room.cut(painting));
+            context.replay_tones(tones.iter().map(|measured| measured.of_part(cut)).collect());
             let steps = if is_small(face) { &finer } else { &adapted };
             let again = chain::run(steps, &room.cut(photo), context);
             context.recorded_tones();

@@ -17,11 +17,12 @@
 use super::{Block, Channels, Kernel};
 use crate::context::Context;
 use crate::error::Result;
-use crate::painters::{Choice, MAX_PAINTERS};
+use crate::painters::{Choice, MAX_PAINTERS, Norms, Painters};
 use crate::params::{Args, FaceLimit, Gaps, Kind, Unit, number, param};
 use crate::raster::resize::{Region, resample, resample_image};
 use crate::raster::{Image, Plane};
 use crate::simd::point::{luma_plane, shift_luma};
+use std::sync::Arc;
 
 /// Number of painters of the built-in model.
 pub const PAINTERS: u8 = 10;
@@ -87,21 +88,14 @@ const NOISE: i32 = 40;
 fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Image> {
     let strength = (args.number(2) * 2.56).round() as i32;
     let Some(painters) = context.painters(args.model()).filter(|_| strength > 0) else { return Ok(image) };
-    let (width, height) = (image.width(), image.height());
-    let small = reduced(&image, args.pixels(1));
-    let place = (args.number(0) - 1.0).clamp(0.0, (painters.count() - 1) as f32);
-    let choice =
-        Choice { first: place as usize, second: place.ceil() as usize, share: place - place.floor() };
-    let known = context.known_norms();
-    let (painting, norms) =
-        painters.paint(&small, choice, known.as_deref(), &|| context.check_cancelled())?;
-    if known.is_none() {
-        context.note_norms(norms);
-    }
-    let mut painted = if (small.width(), small.height()) == (width, height) {
-        painting
-    } else {
-        detailed(&painting, &small, &image)
+    let mut painted = match context.known_painting() {
+        Some((_, Some(painting))) => painting,
+        known => {
+            let norms = known.map(|(norms, _)| norms);
+            let (painted, norms) = paint(args, &image, &painters, norms, context)?;
+            context.note_painting(norms, &painted);
+            painted
+        }
     };
     let colours = (args.number(3) * 2.56).round() as i32;
     if colours > 0 {
@@ -114,6 +108,28 @@ fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Im
     }
     mix(&mut image, &painted, strength);
     Ok(image)
+}
+
+/// The painting of an image at its size, and the statistics that it was painted with. `norms`: known statistics.
+fn paint(
+    args: Args<'_>,
+    image: &Image,
+    painters: &Painters,
+    norms: Option<Arc<Norms>>,
+    context: &Context<'_>,
+) -> Result<(Image, Arc<Norms>)> {
+    let small = reduced(image, args.pixels(1));
+    let place = (args.number(0) - 1.0).clamp(0.0, (painters.count() - 1) as f32);
+    let choice =
+        Choice { first: place as usize, second: place.ceil() as usize, share: place - place.floor() };
+    let (painting, measured) =
+        painters.paint(&small, choice, norms.as_deref(), &|| context.check_cancelled())?;
+    let painted = if (small.width(), small.height()) == (image.width(), image.height()) {
+        painting
+    } else {
+        detailed(&painting, &small, image)
+    };
+    Ok((painted, norms.unwrap_or_else(|| Arc::new(measured))))
 }
 
 /// Less paint for a face that keeps its colours.
