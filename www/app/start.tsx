@@ -25,7 +25,7 @@ export function Start() {
       <div class="start-body">
         <div class="start-pages" role="img" aria-label={strings.startPages}>
           {PAGES.map((page) => (
-            <img key={page} src={`start/${page}.jpg`} alt="" width="420" height="594" />
+            <img key={page} src={`start/${page}.webp`} alt="" width="420" height="594" />
           ))}
         </div>
         <div class="start-words">
