@@ -286,6 +286,21 @@ test('the quick pictures of a panel and its figure are one job, too', async () =
   expect(drawn).toEqual(['Bslow0', 'Bslow1', 'Bslow2']);
 });
 
+test('a style that takes as long at half size has no quick pictures', async () => {
+  const { show } = painter();
+  const asked = async (style: string) => {
+    jobs = [];
+    show(page('A', { style }), geometry('A'), 10);
+    await vi.advanceTimersByTimeAsync(5000);
+    await finish(`A${style}0`);
+    await finish(`A${style}1`);
+    show(page('B', { style }), geometry('B'), 10);
+    return jobs.map(({ tier }) => tier);
+  };
+  expect(await asked('slow')).toContain('small');
+  expect(await asked('painter-night')).not.toContain('small');
+});
+
 test('a panel shows the thumbnail of its file until its photo is read', async () => {
   const { show } = painter([], undefined, (photo) => photo === 'a' && { bitmap: { name: 'thumbnail' }, turn: 1 });
   show(page('A'), geometry('A'), 10);

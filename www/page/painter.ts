@@ -8,6 +8,7 @@ import { drawPage, sheetSize } from './drawing.ts';
 import { panelOf, picturesOf } from '../engine/figures.ts';
 import { onlyMoved, sameLook, sameShape } from './likeness.ts';
 import { createPatches } from './patches.ts';
+import { mentionsPainter } from '../engine/painters.ts';
 import { createTimer } from '../engine/scheduler.ts';
 import type { Thumbnail } from '../engine/photo-header.ts';
 import type { Geometry, PageDocument } from '../engine/types.ts';
@@ -72,7 +73,8 @@ export function createPainter(
     const wanted = sheet.slots.map(({ signature }) => signature);
     if (!moving) running.clear();
     patches.keepOnly([...wanted, ...running.values()]);
-    const slow = patches.expected(document, width) > COARSE_ABOVE;
+    // The block Painter takes as long at half size.
+    const slow = patches.expected(document, width) > COARSE_ABOVE && !mentionsPainter(document.style);
     sheet.slots.forEach((slot, index) => request(sheet as Sheet, slot, index, slow));
     timer.stop();
     // A page that was drawn in advance appears in this frame, not in the one after the next.
