@@ -2,8 +2,10 @@
 /** Small screens: no control is covered, cut off, too small for a finger or outside of the window. */
 
 import { covered } from '../../covered.js';
-import { drawn, region, startEmpty } from '../style-designer.js';
+import { STRINGS } from '../languages.js';
 import { panel } from '../panels.js';
+import { expectSaved } from '../project-files.js';
+import { drawn, region, startEmpty } from '../style-designer.js';
 import { SIX, drop, expect, idle, openBoard, reach, sharedBoardTest as test } from '../support.js';
 import { brokenWords } from '../text-checks.js';
 import { expectTouchTargets } from '../touch.js';
@@ -251,6 +253,32 @@ test.describe('on a narrow phone', () => {
     await openBoard(page);
     await expectTouchTargets(page);
     await expectFreeAlert(page);
+  });
+});
+
+test.describe('on the narrowest phone', () => {
+  test.use({ hasTouch: true, deviceScaleFactor: 2 });
+
+  test('the bars fit into the window in every language', async ({ page }) => {
+    await openBoard(page);
+    await expectSaved(page);
+    await page.setViewportSize({ width: 320, height: 640 });
+    for (const [code, { shuffle }] of Object.entries(STRINGS)) {
+      await page.evaluate((language) => localStorage.setItem('inkpanel.language', language), code);
+      await page.reload();
+      await expect(page.getByRole('button', { name: shuffle, exact: true })).toBeVisible();
+      await idle(page);
+      const outside = await page.evaluate(() =>
+        [...document.querySelectorAll('.top-bar button, .parts button, .bottom-bar button, .bottom-bar span')]
+          .filter((element) => element.checkVisibility())
+          .filter((element) => {
+            const { left, right, width } = element.getBoundingClientRect();
+            return width > 1 && (left < 0 || right > innerWidth);
+          })
+          .map(({ textContent }) => textContent),
+      );
+      expect(outside, code).toEqual([]);
+    }
   });
 });
 
