@@ -127,7 +127,7 @@ impl<'a> Context<'a> {
         self.subject.as_ref()
     }
 
-    /// Records the measurements of blocks in the next picture. `paintings`: also records what painters draw.
+    /// Records the measurements of blocks in the next picture. `paintings`: also records paintings.
     pub(crate) fn record_tones(&mut self, paintings: bool) {
         self.tones = KnownTones::Recorded(Vec::new(), paintings);
     }
@@ -222,7 +222,7 @@ impl<'a> Context<'a> {
         Some((norms, None))
     }
 
-    /// Stores the statistics of a painter, and what it drew.
+    /// Stores the statistics of a painter and its painting. A part of a measured picture stores nothing.
     pub(crate) fn note_painting(&mut self, norms: Arc<Norms>, painting: &Image) {
         match &mut self.tones {
             KnownTones::Recorded(ops, paintings) => {
