@@ -187,7 +187,7 @@ test.describe('on a phone', () => {
     await openBoard(page, FOUR);
     await page.getByRole('button', { name: 'Menu' }).click();
     await page.getByRole('button', { name: 'Explore styles' }).click();
-    await expect.poll(() => wall(page).count()).toBeGreaterThan(4);
+    await expect.poll(() => wall(page).count(), SLOW).toBeGreaterThan(4);
     // The row of photos scrolls to the chosen one.
     const row = region(page).locator('.photo-picker');
     const ends = () =>
@@ -204,7 +204,7 @@ test.describe('on a phone', () => {
     await expect(row.getByRole('button').last()).toHaveAttribute('aria-current', 'true');
     const [edge, right] = await ends();
     expect(right).toBeLessThanOrEqual(edge);
-    await expect.poll(() => wall(page).count()).toBeGreaterThan(4);
+    await expect.poll(() => wall(page).count(), SLOW).toBeGreaterThan(4);
     const texts = wall(page).nth(1).locator('.icon-text');
     await expect(texts).toHaveText(['Use', 'Edit', 'Combine', 'Similar']);
     const boxes = await texts.evaluateAll((all) => all.map((text) => text.getBoundingClientRect().toJSON()));
