@@ -219,8 +219,27 @@ fn nothing_is_painted_that_is_not_seen() {
     // Without a mask, the whole picture is the subject.
     let background = r#","where":"background""#;
     assert!(work(background, Vec::new(), None) < 10);
-    let half = Plane::from_fn(512, 512, |x, _| if x < 256 { 255 } else { 0 });
-    assert!(work(background, Vec::new(), Some(half)) >= plain);
+    let half = || Some(Plane::from_fn(512, 512, |x, _| if x < 256 { 255 } else { 0 }));
+    assert!(work(background, Vec::new(), half()) >= plain);
+    // The other part has another strength of the same painting.
+    let both = r#","where":"background"},{"block":"painter","strength":50,"where":"subject""#;
+    let again = work(both, Vec::new(), half()) - plain;
+    assert!(again < 10, "{again} of {plain}");
+}
+
+/// A painting is used again with other strengths and colours, and not for another picture, painter or brush.
+#[test]
+fn a_stored_painting_is_used_for_the_same_picture_only() {
+    let (painters, path) = (painters(), sized(&photo("www/public/samples/05-path.jpg"), 240, 160));
+    let castle = sized(&photo("www/public/samples/06-castle.jpg"), 240, 160);
+    let mut context = Context::for_image(&path);
+    context.show_painters(Some(painters.clone()));
+    let changes =
+        ["", r#","strength":40"#, r#","colours":70"#, r#","painter":2"#, r#","painter":2,"brush":4"#];
+    for (photo, params) in changes.map(|params| (&path, params)).into_iter().chain([(&castle, changes[4])]) {
+        let again = stylize(photo, &style(params), &mut context).unwrap();
+        assert!(again == drawn(photo, &style(params), context.scale(), &painters), "{params}");
+    }
 }
 
 /// Pearson's coefficient of two planes.

@@ -53,6 +53,7 @@ pub fn run_until(steps: &[Step], end: usize, mut image: Image, context: &mut Con
     let end = active(&steps[..end.min(steps.len())]);
     let steps: Vec<&Step> = steps.iter().filter(|step| !step.bypass).collect();
     let mut i = 0;
+    let mut next_start = None;
     while i < end {
         context.check_cancelled()?;
         let mut ops = Vec::new();
@@ -65,23 +66,40 @@ pub fn run_until(steps: &[Step], end: usize, mut image: Image, context: &mut Con
             image = run_points(&ops, image, chroma_wanted, context)?;
         }
         if let Some(step) = steps[..end].get(i) {
+            let start = std::mem::take(&mut next_start);
             i += 1;
+            if i < end && is_second_half(&steps[..=i]) {
+                next_start = Some(image.clone());
+            }
             let chroma_wanted = steps[i..].iter().any(|step| step.block.restores_color);
-            image = run_block(step, chroma_wanted, image, context)?;
+            image = run_block(step, chroma_wanted, start, image, context)?;
         }
     }
     Ok(image)
 }
 
+/// Whether the last of `steps`, which are active, is the second half of a pair: two blocks of one kind in a row, one for
+/// each part of the picture. Both start from the picture before the first one, so that a measurement or a painting of
+/// this picture is made once.
+pub(crate) fn is_second_half(steps: &[&Step]) -> bool {
+    let are_halves = |pair: &&[&Step]| {
+        let [a, b] = [pair[0], pair[1]];
+        a.block.id == b.block.id && a.part.is_some() && b.part.is_some() && a.part != b.part
+    };
+    // A third block in this row starts the next pair.
+    steps.windows(2).rev().take_while(are_halves).count() % 2 == 1
+}
+
 /// Runs the last of `steps`. If it is a point operation, it runs in one pass with the blocks before it in
-/// `steps`, all of the same kind. `chroma_wanted` stores U and V for a later To Color. The result has the
-/// size that the block returned.
+/// `steps`, all of the same kind. `chroma_wanted` stores U and V for a later To Color. `start`: the picture before the
+/// first half, if the block is a second half. The result has the size that the block returned.
 ///
 /// # Errors
 /// `cancelled` if the context is cancelled.
 pub(crate) fn run_last(
     steps: &[Step],
     chroma_wanted: bool,
+    start: Option<Image>,
     image: Image,
     context: &mut Context<'_>,
 ) -> Result<Image> {
@@ -91,7 +109,7 @@ pub(crate) fn run_last(
     }
     match steps.last() {
         _ if !ops.is_empty() => run_points(&ops, image, chroma_wanted, context),
-        Some(step) => run_block(step, chroma_wanted, image, context),
+        Some(step) => run_block(step, chroma_wanted, start, image, context),
         None => Ok(image),
     }
 }
@@ -131,16 +149,22 @@ fn push_fused(ops: &mut Vec<PointOp>, op: PointOp) {
     }
 }
 
-/// Runs a block. A block with a part changes only that part.
-fn run_block(step: &Step, chroma_wanted: bool, image: Image, context: &mut Context<'_>) -> Result<Image> {
+/// Runs a block. A block with a part changes only that part. `start`: its input, if this is not `image`.
+fn run_block(
+    step: &Step,
+    chroma_wanted: bool,
+    start: Option<Image>,
+    image: Image,
+    context: &mut Context<'_>,
+) -> Result<Image> {
     let Some(part) = step.part else { return run_everywhere(step, chroma_wanted, image, context) };
     if part == Part::Background && context.subject().is_none() && step.block.output == step.block.input {
         // The whole picture is the subject.
         return Ok(image);
     }
-    let before = image.clone();
-    let after = run_everywhere(step, chroma_wanted, image, context)?;
-    Ok(part::mixed(before, after, part, context))
+    let start = start.unwrap_or_else(|| image.clone());
+    let after = run_everywhere(step, chroma_wanted, start, context)?;
+    Ok(part::mixed(image, after, part, context))
 }
 
 // Called from several places: a copy in each would only make the module larger.

@@ -231,6 +231,28 @@ mod tests {
     }
 
     #[test]
+    fn two_blocks_for_both_parts_start_from_the_same_picture() {
+        // A blur looks across the border.
+        let blur = |part: &str| format!(r#"{{"block":"gaussian","sigma":50{part}}}"#);
+        let [all, subject, background] = ["", r#","where":"subject""#, r#","where":"background""#].map(blur);
+        let colours =
+            |blocks: &[&str]| drawn(&format!(r#"{{"background":[{}]}}"#, blocks.join(",")), Some(half()));
+        let once = colours(&[&all]);
+        assert!(colours(&[&subject, &background]) == once);
+        let bypassed = blur(r#","bypass":true"#);
+        assert!(colours(&[&background, &bypassed, &subject]) == once);
+        // A third block starts from the result of both.
+        let thrice = colours(&[&subject, &background, &subject]);
+        assert!(side(&thrice, true) == side(&once, true));
+        assert!(side(&thrice, false) == side(&colours(&[&all, &subject]), false));
+        // Another block between them separates them.
+        assert!(
+            colours(&[&subject, r#"{"block":"posterize"}"#, &background])
+                != colours(&[&all, r#"{"block":"posterize"}"#])
+        );
+    }
+
+    #[test]
     fn vague_subjects_and_empty_ones_are_none() {
         let photo = photo();
         let seen = |shares: Plane| {

@@ -2,7 +2,7 @@
 //! block and later ones. The pixels equal the result of [`stylize`](super::stylize).
 
 use super::blocks::Kernel;
-use super::chain::{lay_ink, run_last};
+use super::chain::{is_second_half, lay_ink, run_last};
 use super::context::Context;
 use super::file::{Step, Style};
 use super::part;
@@ -87,8 +87,13 @@ impl Stages {
                 // pixels.
                 let first = if is_point(step) { run_start(steps, done) } else { done };
                 let before = self.before(layer, first).clone();
+                let active: Vec<&Step> = steps[..=done].iter().filter(|step| !step.bypass).collect();
+                let start = is_second_half(&active).then(|| {
+                    let first_half = steps[..done].iter().rposition(|step| !step.bypass);
+                    self.before(layer, first_half.unwrap_or(done)).clone()
+                });
                 context.show_subject(step.part.and_then(|_| self.subject.clone()));
-                let picture = run_last(&steps[first..=done], chroma, before, context);
+                let picture = run_last(&steps[first..=done], chroma, start, before, context);
                 context.show_subject(None);
                 Some(picture?)
             };

@@ -9,6 +9,9 @@
 //! gain     = covariance(luma(small), luma(network(small))) / variance(luma(small)), in windows of 3 x 3 pixels
 //! ```
 //!
+//! The latest output of the network is stored with its input. It is used again if only the strength or the colours differ:
+//! in the block for the other part of a picture, and while a user moves one of these sliders.
+//!
 //! Without a model of painters, the block changes nothing. A model of the user may have more painters than the built-in
 //! one. Numbers beyond the last painter of a model mean this painter.
 //!
@@ -110,26 +113,57 @@ fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Im
     Ok(image)
 }
 
+/// The latest output of the network, and its input.
+struct Painting {
+    small: Image,
+    choice: Choice,
+    painters: Arc<Painters>,
+    /// The given statistics.
+    norms: Option<Arc<Norms>>,
+    painting: Image,
+    /// The statistics that it was painted with.
+    used: Arc<Norms>,
+}
+
 /// The painting of an image at its size, and the statistics that it was painted with. `norms`: known statistics.
 fn paint(
     args: Args<'_>,
     image: &Image,
-    painters: &Painters,
+    painters: &Arc<Painters>,
     norms: Option<Arc<Norms>>,
-    context: &Context<'_>,
+    context: &mut Context<'_>,
 ) -> Result<(Image, Arc<Norms>)> {
     let small = reduced(image, args.pixels(1));
     let place = (args.number(0) - 1.0).clamp(0.0, (painters.count() - 1) as f32);
     let choice =
         Choice { first: place as usize, second: place.ceil() as usize, share: place - place.floor() };
-    let (painting, measured) =
-        painters.paint(&small, choice, norms.as_deref(), &|| context.check_cancelled())?;
-    let painted = if (small.width(), small.height()) == (image.width(), image.height()) {
-        painting
-    } else {
-        detailed(&painting, &small, image)
+    let is_same = |stored: &Painting| {
+        let same_norms = match (&stored.norms, &norms) {
+            (Some(stored), Some(norms)) => Arc::ptr_eq(stored, norms),
+            (stored, norms) => stored.is_none() && norms.is_none(),
+        };
+        same_norms
+            && Arc::ptr_eq(&stored.painters, painters)
+            && stored.choice == choice
+            && stored.small == small
     };
-    Ok((painted, norms.unwrap_or_else(|| Arc::new(measured))))
+    let stored = match context.take::<Painting>().filter(is_same) {
+        Some(stored) => stored,
+        None => {
+            let (painting, measured) =
+                painters.paint(&small, choice, norms.as_deref(), &|| context.check_cancelled())?;
+            let used = norms.clone().unwrap_or_else(|| Arc::new(measured));
+            Painting { small, choice, painters: painters.clone(), norms, painting, used }
+        }
+    };
+    let painted = if (stored.small.width(), stored.small.height()) == (image.width(), image.height()) {
+        stored.painting.clone()
+    } else {
+        detailed(&stored.painting, &stored.small, image)
+    };
+    let used = stored.used.clone();
+    context.give(stored);
+    Ok((painted, used))
 }
 
 /// Less paint for a face that keeps its colours.
