@@ -2,7 +2,7 @@
  * The album: measurements of every photo that was ever added. Edits do not change them, so they are not part of undo.
  */
 
-import type { Likeness, Measures, PhotoMeta, StartTimecode, Subject, Verdict } from '../engine/types.ts';
+import type { Likeness, Measures, PhotoMeta, StartTimecode, Subject, Verdict, VerdictReason } from '../engine/types.ts';
 import type { TrayItem } from './project.ts';
 
 export type Absent = Likeness & { subjects: readonly Subject[] | null; measured: boolean };
@@ -123,4 +123,27 @@ export type { Verdict };
 /** Whether a photo is used: the user's choice, or the selection. Default: yes. */
 export function isUsed(item: TrayItem, verdicts: ReadonlyMap<string, Verdict>): boolean {
   return item.use ?? verdicts.get(item.id)?.kept ?? true;
+}
+
+/**
+ * Why each photo is used or not. A better page may exchange photos of a group, so this is not always the reason of the
+ * selection.
+ * @returns no entry if the reason is the user's choice
+ */
+export function reasonsOf(
+  items: readonly TrayItem[],
+  album: Album,
+  verdicts: ReadonlyMap<string, Verdict>,
+): Map<string, VerdictReason> {
+  const usedOf = new Map(items.filter(({ use }) => use).map(({ id }) => [verdicts.get(id)?.group, id]));
+  const reasons = new Map<string, VerdictReason>();
+  for (const item of items) {
+    const verdict = verdicts.get(item.id);
+    if (!verdict) continue;
+    const used = isUsed(item, verdicts);
+    const other = used ? undefined : usedOf.get(verdict.group);
+    if (other !== undefined) reasons.set(item.id, { code: 'same-as', name: album.get(other)?.name ?? other });
+    else if (used === verdict.kept) reasons.set(item.id, verdict.reason);
+  }
+  return reasons;
 }

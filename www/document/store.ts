@@ -4,7 +4,7 @@
  */
 
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
-import { chronological, inFilmOrder, isUsed, unreadMeta, withFacts } from './album.ts';
+import { chronological, inFilmOrder, isUsed, reasonsOf, unreadMeta, withFacts } from './album.ts';
 import { failure } from '../engine/protocol.ts';
 import { createEditing } from './editing.ts';
 import { EMPTY_MIRROR } from './history.ts';
@@ -123,6 +123,8 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     return judged;
   });
 
+  const reasons = computed(() => reasonsOf(tray.value, album.value, verdicts.value));
+
   const isDated = computed(() => project.value.order === 'time');
   /** The photos in use, in order, for the planner. It changes only with the tray and the measurements. */
   const photos = computed(() => {
@@ -234,6 +236,8 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     masks,
     measured,
     verdicts,
+    /** Why photos are used or not. No entry: the user's choice. */
+    reasons,
     /** Videos whose shots are being detected, by key: progress from 0 to 1. */
     looking,
     photos,

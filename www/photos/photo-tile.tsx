@@ -40,10 +40,10 @@ export function PhotoTile({
   const takes = panel !== undefined && others.length === 0 && !framing.isLocked(panel);
   // Each new photo changes the album, but only its own tile is drawn again.
   const fact = useComputed(() => store.album.value.get(id)).value;
-  const verdict = useComputed(() => store.verdicts.value.get(id)).value;
+  const reason = useComputed(() => store.reasons.value.get(id)).value;
   const name = fact?.name ?? id;
   const ready = fact?.meta !== null && engine.hasPhoto(id);
-  const why = use === false ? strings.youLeftOut : verdict && strings.verdict(verdict.reason);
+  const why = reason ? strings.verdict(reason) : use === false ? strings.youLeftOut : undefined;
   const unseen = useComputed(() => (used ? store.unseen.value.get(id) : undefined)).value;
   const waiting = unseen && strings.unseen[unseen];
   const about = [fact?.credit ?? name, why, waiting, ready && strings.pickLong].filter(Boolean).join('\n');
