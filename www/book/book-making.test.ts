@@ -83,6 +83,13 @@ test('the dates of a book have the format of the user', async () => {
   });
 });
 
+test('the hours after midnight belong to the day before', async () => {
+  const { bookMaking, pages } = await making(14, { at: [Date.UTC(2026, 5, 9, 22), Date.UTC(2026, 5, 10, 1, 30)] });
+  const made = vi.spyOn(pages, 'book');
+  await bookMaking.make('one');
+  expect(made.mock.calls[0][0].dates?.days).toEqual({ '2026-06-09': strings.shortDayOf(Date.UTC(2026, 5, 9)) });
+});
+
 test('the first day of each year of a book has its year', async () => {
   const times = [Date.UTC(2023, 10, 2, 9), Date.UTC(2024, 3, 11, 15), Date.UTC(2024, 4, 1, 15)];
   const { bookMaking, pages } = await making(14, { at: times });

@@ -16,6 +16,8 @@ export type BookMaking = ReturnType<typeof createBookMaking>;
 /** Maximum time in ms to wait for faces, which choose the cover. Crops follow later detections. */
 const PATIENCE = 15_000;
 const DAY = 86_400_000;
+/** Time of a night at which the next day begins, as in `crates/engine/src/plan/moments.rs`. */
+const MORNING = 4 * 3_600_000;
 
 /**
  * @param app `album`: the title of the album, and the places of its photos. `places`: names of places that the user may add.
@@ -132,7 +134,7 @@ function once(sheets: readonly Sheet[]): Sheet[] {
  * @param times local times in milliseconds, as if they were UTC
  */
 function datesOf(times: readonly (number | null)[]): BookDates {
-  const starts = times.filter((time) => time !== null).map((time) => Math.floor(time / DAY) * DAY);
+  const starts = times.filter((time) => time !== null).map((time) => Math.floor((time - MORNING) / DAY) * DAY);
   const known = [...new Set(starts)].toSorted((a, b) => a - b);
   if (known.length === 0) return {};
   const [first, last] = [known[0], known[known.length - 1]];
