@@ -231,6 +231,10 @@ describe('words', () => {
     fits = true;
     lettering.settleOne(0);
     expect(places()[0]).toEqual([0.25, true]);
+    const now = store.page.peek() as PageDocument;
+    setWords(store, [{ at: 0, page: { ...now, words: now.words?.map((word) => ({ ...word, x: 0.7 })) } }]);
+    lettering.edit(0, { shape: 'shout' });
+    expect(places()[0], 'another shape needs other room').toEqual([0.25, true]);
   });
 
   test('the list shows the text that is typed, and the page the text that is accepted', async () => {

@@ -275,9 +275,10 @@ export function createLettering({
     const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, ...BY_HAND } : word));
     const next = { ...page, words: changed };
     // A text item that the user moves has a fixed position. Others stay where they are as long as they fit there. Vertical text
-    // has another shape.
+    // and another shape need other room.
     const box = boxes.peek()[index];
-    const isPlaced = stays || news.auto || news.vertical !== undefined || !box;
+    const isReshaped = news.vertical !== undefined || news.shape !== undefined;
+    const isPlaced = stays || news.auto || isReshaped || !box;
     const stayed = isPlaced ? null : planning.stayed(next, index, box);
     if (stayed) setWords(store, [{ at: store.project.peek().at, page: stayed }], { gesture });
     // Otherwise all balloons of its chain are placed again.
