@@ -53,10 +53,19 @@ impl Area {
 
     /// The area that two rectangles share.
     pub(super) fn shared(self, other: Self) -> f64 {
-        let overlap = |a: f64, al: f64, b: f64, bl: f64| ((a + al).min(b + bl) - a.max(b)).max(0.0);
-        overlap(self.x, self.width, other.x, other.width)
-            * overlap(self.y, self.height, other.y, other.height)
+        overlap((self.x, self.width), (other.x, other.width))
+            * overlap((self.y, self.height), (other.y, other.height))
     }
+
+    /// The width that two rectangles share, as a part of the narrower one.
+    pub(super) fn across(self, other: Self) -> f64 {
+        overlap((self.x, self.width), (other.x, other.width)) / self.width.min(other.width)
+    }
+}
+
+/// The length that two ranges share, each a start and a length.
+fn overlap((a, a_length): (f64, f64), (b, b_length): (f64, f64)) -> f64 {
+    ((a + a_length).min(b + b_length) - a.max(b)).max(0.0)
 }
 
 /// A photo seen through a panel: everything in pixels of the photo.

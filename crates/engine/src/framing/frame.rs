@@ -256,6 +256,23 @@ mod tests {
     }
 
     #[test]
+    fn a_narrow_panel_does_not_cut_a_person_lengthwise() {
+        // A person in the middle of a tall photo, with a bright scene on one side.
+        let subjects = vec![subject(FACE, 0.48, 0.19, 0.1, 0.08), subject("person", 0.28, 0.14, 0.47, 0.82)];
+        let values = "0a0a0a0a0a0aff".repeat(7);
+        let energy = format!(r#"{{"columns":7,"rows":7,"values":"{values}"}}"#);
+        let energy = serde_json::from_str(&energy).unwrap();
+        let photo = PhotoMeta { energy, ..photo(2000, 2500, subjects) };
+        for aspect in [0.4, 0.54, 0.7] {
+            let crop = frame(&photo, &Target::of_aspect(aspect), 0);
+            let (left, right) = (crop.x.max(0.28), (crop.x + crop.width).min(0.75));
+            assert!(right - left >= 0.85 * crop.width.min(0.47), "{aspect} {crop:?}");
+            let across = (0.53 - crop.x) / crop.width;
+            assert!((across - 0.5).abs() < 0.2, "{aspect} {across} {crop:?}");
+        }
+    }
+
+    #[test]
     fn a_group_is_kept_together_when_it_fits() {
         let faces = [0.1, 0.4, 0.7].map(|x| subject(FACE, x, 0.3, 0.1, 0.15));
         let crop = frame(&photo(4000, 3000, faces.to_vec()), &Target::of_aspect(1.4), 0);

@@ -31,12 +31,19 @@ const CLOSE_WIDTH: f64 = 400.0;
 pub(crate) const SURE: f64 = 0.78;
 /// Range of the visible part of a body in a medium shot. The lower edge may cut the body there, if the face is complete.
 pub(crate) const MEDIUM: (f64, f64) = (0.3, 0.8);
+/// Least part of the width of a body in a medium shot. If the body is wider than the crop, least part of the crop.
+const ACROSS: f64 = 0.85;
 /// The least part of a photo that a subject covers which must not be cut.
 const SOME_SIZE: f64 = 0.01;
 /// The upper part of an animal that contains the head.
 const CROWN: f64 = 0.4;
 /// Cost of less room than [`ROOM`] where a face looks, in widths of the crop.
 const CRAMPED: f64 = 0.8;
+/// Distance of the only face from the middle that costs nothing, times the aspect ratio of the crop, and at most: a
+/// wide panel has room beside a person. In widths of the crop.
+const CENTRED: (f64, f64) = (0.08, 0.17);
+/// Cost of more distance, in widths of the crop.
+const ASIDE: f64 = 1.5;
 /// Cost of a person whose head the photo cuts.
 const HEADLESS_COST: f64 = 1.5;
 /// Cost of one edge through an area of average energy.
@@ -174,6 +181,7 @@ impl<'a> Judge<'a> {
         }
         let (mut cover, mut size, mut cut, mut off_line) = (0.0, 0.0f64, 0.0, 0.0f64);
         let mut cramped = None;
+        let mut faces = Vec::new();
         let mut face_height = 0.0f64;
         for (((area, subject), weight), role) in self.view.subjects.iter().zip(&self.weights).zip(&self.roles)
         {
@@ -199,6 +207,9 @@ impl<'a> Judge<'a> {
                     (level - 0.42).abs()
                 };
                 off_line = off_line.max(inside * off);
+                if inside > 0.9 {
+                    faces.push(across + ROOM * subject.gaze());
+                }
                 // The main face of the crop.
                 if inside > 0.9 && cramped.is_none() && !self.view.target.round {
                     cramped = Some(cramping(subject.gaze(), across));
@@ -206,11 +217,14 @@ impl<'a> Judge<'a> {
             }
         }
         let say = (total / STRONG).min(1.0);
+        let centred = (CENTRED.0 * crop.width / crop.height).min(CENTRED.1);
+        let aside = if let [across] = faces[..] { ((across - 0.5).abs() - centred).max(0.0) } else { 0.0 };
         let near = (face_height / FACE_HEIGHT).min(1.0) * (crop.width / CLOSE_WIDTH).min(1.0);
         say * (2.0 * cover + 0.6 * comfort(size)) + FACE_VALUE * near
             - 2.0 * cut
             - 0.4 * off_line
             - CRAMPED * cramped.unwrap_or(0.0)
+            - ASIDE * aside
     }
 
     /// The part of a subject that the panel shows.
@@ -272,7 +286,9 @@ impl<'a> Judge<'a> {
                 continue;
             }
             let inside = self.inside(area, *grown);
-            let medium = *role == Role::Body && (MEDIUM.0..MEDIUM.1).contains(&inside);
+            let medium = *role == Role::Body
+                && (MEDIUM.0..MEDIUM.1).contains(&inside)
+                && area.across(*grown) >= ACROSS;
             if inside > 0.05 && inside < 0.9 && !medium {
                 return false;
             }
