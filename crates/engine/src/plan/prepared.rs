@@ -40,6 +40,9 @@ const UNCLEAR: f64 = 0.4;
 const CROWD: (usize, f64) = (4, 0.6);
 /// Factor of the value of a photo that cuts the head of a person.
 const HEADLESS: f64 = 0.85;
+/// The part of a photo in the two darkest of sixteen tones from which it is gloomy, and completely gloomy, and the part of its
+/// value that this costs. Styles draw such photos as black areas.
+const GLOOM: (f64, f64, f64) = (0.5, 0.85, 0.5);
 /// The value of a face rises from the first score to the second. The back of a head can have 0.5.
 const DOUBTFUL: (f64, f64) = (0.35, 0.96);
 /// Minimum score of a face that makes a person known.
@@ -171,6 +174,15 @@ fn face_value(face: &Subject) -> f64 {
     (1.0 - PROFILE * face.gaze().abs()) * (1.0 - shut) * face.lit()
 }
 
+/// The part of its value that a photo without faces loses because it is dark.
+fn gloom(photo: &PhotoMeta) -> f64 {
+    let (from, to, cost) = GLOOM;
+    photo.facts.as_ref().map_or(0.0, |facts| {
+        let dark = f64::from(facts.tones[0]) + f64::from(facts.tones[1]);
+        cost * ((dark / 255.0 - from) / (to - from)).clamp(0.0, 1.0)
+    })
+}
+
 /// Returns the interest of a photo, and its kind.
 fn care(photo: &PhotoMeta) -> (f64, Kind) {
     let subjects: Vec<_> = photo.marked().filter(|s| is_sound(s)).collect();
@@ -239,6 +251,8 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         _ => ALIVE,
     };
     let alive = subjects.iter().any(|s| s.is_alive() && value(s) >= least(s));
+    let lit = if faces().any(|face| face.score >= KNOWN) { 1.0 } else { 1.0 - gloom(photo) };
+    let best = lit * best;
     let tallest = faces().map(|face| face.height).fold(0.0, f64::max);
     let group = faces().filter(|face| face.height >= 0.5 * tallest && side(face) >= 0.03);
     let mut group: Vec<f64> =
@@ -277,7 +291,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     if text >= SIGN && best < 0.25 {
         return (0.05, Kind::Bare);
     }
-    let scene = 0.25 * (edges / 0.3).min(1.0);
+    let scene = 0.25 * lit * (edges / 0.3).min(1.0);
     if best < 0.15 && edges < BARE && chroma < GREY {
         return (0.0, Kind::Bare);
     }
@@ -441,6 +455,21 @@ mod tests {
         let digits = tones.map(|share| format!("{share:02x}")).concat();
         let facts = serde_json::from_str(&format!("\"{digits}606018808080808080\"")).unwrap();
         PhotoMeta { facts: Some(facts), ..PhotoMeta::unmeasured("photo", width, height) }
+    }
+
+    #[test]
+    fn a_dark_photo_without_faces_is_worth_less() {
+        let worth = |dark: u8, score: f64| {
+            let mut photo = photo(1600, 1200, dark);
+            photo.find([
+                subject("person", 0.9, [0.2, 0.2, 0.4, 0.7]),
+                subject(FACE, score, [0.3, 0.25, 0.15, 0.2]),
+            ]);
+            care(&photo).0
+        };
+        let (light, dark) = (worth(60, 0.2), worth(240, 0.2));
+        assert!(dark < 0.6 * light, "{dark} {light}");
+        assert!((worth(60, 0.95) - worth(240, 0.95)).abs() < 1e-9, "a face in the dark is lit");
     }
 
     #[test]
