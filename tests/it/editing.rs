@@ -779,13 +779,16 @@ fn frames_of_a_video_keep_their_order_on_a_page() {
             keep: Keep { layout: false, style: false, photos: false },
             ..planning.request(seed)
         };
-        let page = planning.plan(request, None).unwrap().unwrap();
+        let page = planning.plan(request, Some(planning.photos[..6].to_vec())).unwrap().unwrap();
         let mut read: Vec<String> =
             page.reading_order().into_iter().filter_map(|panel| page.panels[panel].photo.clone()).collect();
         read.dedup();
         read.is_sorted()
     };
     assert!((1..9).all(|seed| is_in_order(&frames, seed)));
+    // A photo that is still being read is not on the page.
+    let unread = [&frames[..], &[PhotoMeta::unmeasured("unread", 1600, 1200)]].concat();
+    assert!((1..9).all(|seed| is_in_order(&unread, seed)));
     assert!(!(1..9).all(|seed| is_in_order(&photos, seed)), "the order of photos without dates is free");
 }
 

@@ -1218,7 +1218,10 @@ export type Request = {
   mode?: Mode,
   /** Maximum fingerprint distance of near-duplicates, in bits of 64. A page avoids two photos that are this close. Default: 10. */
   duplicateThreshold?: number | null,
-  /** Whether the photos stay in their order along the page. Default: whether all are dated, at different times. */
+  /**
+   * Whether the photos stay in their order along the page. Default: whether all are dated, at different times, or all are
+   * frames of videos.
+   */
   ordered?: boolean | null,
   /**
    * The photos of pages that were shown before, by id: the photo of the largest panel first, the last page last. Photos

@@ -178,8 +178,8 @@ impl<'p> Planning<'p> {
         let project = self.project;
         request.recent.splice(0..0, self.recent.iter().cloned());
         request.duplicate_threshold = Some(u32::from(project.alike));
-        // The order of photos without dates has no meaning, unless they are frames of videos or sorted by name.
-        if project.order == Order::Name || self.photos.iter().all(|photo| photo.meta.frame) {
+        // The order of photos without dates has no meaning, unless they are sorted by name.
+        if project.order == Order::Name {
             request.ordered = request.ordered.or(Some(true));
         }
         if !request.keep.layout && request.layout.is_none() && request.panels.is_none() {

@@ -52,7 +52,8 @@ pub struct Request {
     /// Maximum fingerprint distance of near-duplicates, in bits of 64. A page avoids two photos that are this close. Default: 10.
     #[serde(default)]
     pub duplicate_threshold: Option<u32>,
-    /// Whether the photos stay in their order along the page. Default: whether all are dated, at different times.
+    /// Whether the photos stay in their order along the page. Default: whether all are dated, at different times, or all are
+    /// frames of videos.
     #[serde(default)]
     pub ordered: Option<bool>,
     /// The photos of pages that were shown before, by id: the photo of the largest panel first, the last page last. Photos

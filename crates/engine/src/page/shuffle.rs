@@ -66,7 +66,8 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let photos = Photos::new(&request.photos, &always, turns, shelf, &mut random)
         .with_duplicate_threshold(duplicate_threshold(request));
     let candidates: Vec<&Candidate> = stages.iter().map(|stage| &stage.candidate).collect();
-    let free = request.mode == Mode::Photos || !request.ordered.unwrap_or_else(|| is_dated(&request.photos));
+    let free =
+        request.mode == Mode::Photos || !request.ordered.unwrap_or_else(|| is_ordered(&request.photos));
     let order = if free { Order::Free } else { Order::Kept };
     // Merged panels come by chance, which needs a free choice.
     let merges = stages.iter().any(|stage| !stage.merges.is_empty());
@@ -149,10 +150,11 @@ fn whole_photos(
     Ok(Some(stage.whole(request, LayoutRef::of(&template), &template, &photos)))
 }
 
-/// Whether all photos are dated, and not all of one moment: only then their order means something.
-fn is_dated(photos: &[PhotoMeta]) -> bool {
-    photos.iter().all(|photo| photo.taken.is_some())
-        && photos.windows(2).any(|pair| pair[0].taken != pair[1].taken)
+/// Whether the order of photos means something: they are frames of a video, or all are dated and not all of one moment.
+fn is_ordered(photos: &[PhotoMeta]) -> bool {
+    let are_dated = photos.iter().all(|photo| photo.taken.is_some())
+        && photos.windows(2).any(|pair| pair[0].taken != pair[1].taken);
+    are_dated || photos.iter().all(|photo| photo.frame)
 }
 
 /// The layouts that may become the page, with the groups of panels that may share an image.
