@@ -54,6 +54,16 @@ test('without a title the first panel says the day, and another folder is a plac
   ]);
 });
 
+test('a page names a place once', () => {
+  const places = ['Porto', '', 'Porto', 'Faro', 'Porto'];
+  const moments = Object.fromEntries(places.map((place, i) => [`p${i}`, { place }]));
+  const page = narrated(pageOf(Object.keys(moments)), narration(moments, ''));
+  expect(told(page)).toEqual([
+    [0, 'Porto'],
+    [3, 'Faro'],
+  ]);
+});
+
 test('photos that are not in the order of time get no captions', () => {
   const moments = { a: { at: at('2026-06-02T09:00') }, b: { at: at('2026-06-01T10:00') } };
   expect(told(narrated(pageOf(['a', 'b']), narration(moments, '')))).toEqual([]);

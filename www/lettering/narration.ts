@@ -59,30 +59,32 @@ function titleOf(photos: readonly string[], { title, language }: Narration): Wor
 /** Captions on the panels at which the day, the place or the time changes most. */
 function captionsOf(photos: readonly string[], { title, moments, language, day, time }: Narration): Word[] {
   const steps: { panel: number; text: string; gap: number }[] = [];
-  let last = null as Moment | null;
+  let before = null as number | null;
   const seen = new Set<string>();
+  const places = new Set<string>();
   // The date of one photo could be mistaken for the date of the page, if the other photos have no date or span many
   // years.
   const showsTimes = isOneEvent([...new Set(photos)].map((photo) => moments.get(photo)?.at ?? null));
   for (const [panel, photo] of photos.entries()) {
     const moment = moments.get(photo);
     if (!moment || seen.has(photo)) continue;
+    const isFirst = seen.size === 0;
     seen.add(photo);
     const now = showsTimes ? moment.at : null;
     const { place } = moment;
-    const before: number | null = last?.at ?? null;
     // Captions tell time in one direction.
     if (before !== null && now !== null && now < before) return [];
-    if (last === null) {
+    if (isFirst) {
       const text = title === '' ? [now === null ? '' : day(now), place].filter((part) => part !== '').join(' · ') : '';
       if (text !== '') steps.push({ panel, text, gap: Number.POSITIVE_INFINITY });
-    } else if (place !== '' && place !== last.place) {
+    } else if (place !== '' && !places.has(place)) {
       steps.push({ panel, text: place, gap: Number.MAX_VALUE });
     } else if (before !== null && now !== null && now - before >= LEAST_GAP) {
       const sameDay = Math.floor(before / (24 * HOUR)) === Math.floor(now / (24 * HOUR));
       steps.push({ panel, text: sameDay ? time(now) : day(now), gap: now - before });
     }
-    last = { at: now ?? before, place };
+    places.add(place);
+    before = now ?? before;
   }
   return steps
     .sort((a, b) => b.gap - a.gap)
