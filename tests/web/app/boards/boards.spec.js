@@ -298,7 +298,7 @@ test('the sheets have the chosen layout and number of frames', async ({ page }) 
   await expect(sheets.getByRole('img', { name: 'Sheet 1 of 1' })).toBeVisible();
   await sheets.getByRole('combobox', { name: 'Frames per sheet' }).selectOption('4');
   await expect(sheets.getByRole('img', { name: 'Sheet 2 of 2' })).toBeAttached();
-  await sheets.getByRole('button', { name: 'Film storyboard' }).click();
+  await sheets.getByRole('button', { name: 'Grey film style' }).click();
   await expect(sheets.getByRole('img', { name: 'Sheet 1 of 1' })).toBeVisible();
   await expect(sheets.getByRole('combobox', { name: 'Frames per sheet' })).toHaveValue('6');
 });
