@@ -146,7 +146,7 @@ export function createProjects({
       const name = nameOf(id);
       await mark(id, Date.now());
       free();
-      messages.note(strings.projectDeleted({ name }), {
+      messages.offer(strings.projectDeleted({ name }), {
         label: strings.bringBack,
         run: () => void bringBack(id, mine),
       });

@@ -180,6 +180,8 @@ describe('projects', () => {
     expect(tab.names()).toEqual(['a.jpg']);
     await tab.keeping.remove(copy as string);
     expect([tab.names(), tab.keeping.list.value.length]).toEqual([[], 2]);
+    // It stays until it is closed.
+    expect(tab.messages.list.value[0].kind).toBe('offer');
     tab.messages.list.value[0].way?.run();
     await vi.waitFor(() => expect(tab.names()).toEqual(['a.jpg']));
     expect(tab.keeping.list.value.length).toBe(3);
