@@ -163,6 +163,18 @@ describe('turning, moving, removing', () => {
     expect(store.sheets.value.length).toBe(2);
   });
 
+  test('the message about a removed page closes when the removal is undone, and not before', async () => {
+    const { book, pages, messages } = app;
+    book.remove();
+    pages.shuffle('style');
+    pages.undo();
+    await Promise.resolve();
+    expect(messages.list.value.map(({ text }) => text)).toEqual(['Page 1 was removed.']);
+    pages.undo();
+    await Promise.resolve();
+    expect(messages.list.value).toEqual([]);
+  });
+
   test('one style goes on all pages, as another version of those that had another', () => {
     const { book, store, pages } = app;
     pages.shuffle('style');

@@ -5,6 +5,7 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
+import { noteUntilUndo } from '../ui/undo-note.ts';
 import { photosOn, sheetsOf } from '../engine/sheets.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Messages, Way } from '../ui/messages.ts';
@@ -25,7 +26,7 @@ export function createBook({
 }: {
   store: Store;
   pages: Pick<Pages, 'add' | 'spread'>;
-  messages: Pick<Messages, 'note'>;
+  messages: Pick<Messages, 'list' | 'note' | 'close'>;
   /** Called with the page before another is added. */
   onKept?: (page: PageDocument) => void;
 }) {
@@ -108,7 +109,7 @@ export function createBook({
     const repeated = [...photosOn(store.sheets.peek().slice(at + 1, at + 2))].filter((photo) =>
       elsewhere.has(photo),
     ).length;
-    if (repeated > 0) messages.note(strings.book.repeats({ n: repeated }));
+    if (repeated > 0) noteUntilUndo({ messages, store }, strings.book.repeats({ n: repeated }));
   }
 
   /** Takes this page out of the storyboard; its photos are free for the others. */
@@ -117,7 +118,7 @@ export function createBook({
     if (others.length === 0) return;
     const sheets = sheetsOf(store.project.peek());
     store.change({ type: 'remove-page' });
-    messages.note(strings.book.removed({ n: at + 1 }), {
+    noteUntilUndo({ messages, store }, strings.book.removed({ n: at + 1 }), {
       label: strings.bringBack,
       run: () => {
         const now = sheetsOf(store.project.peek());
@@ -162,7 +163,8 @@ export function createBook({
   }
 
   function offerBack({ text, before, at, more }: { text: string; before: readonly Sheet[]; at: number; more?: Way }) {
-    messages.note(text, { label: strings.book.takeBack, run: () => bringBack(before, at) }, more);
+    const back = { label: strings.book.takeBack, run: () => bringBack(before, at) };
+    noteUntilUndo({ messages, store }, text, back, more);
   }
 
   /** Gives all pages the style of this one. */

@@ -10,6 +10,7 @@ import type { KnownPhoto } from '../engine/words.ts';
 let lettering: ReturnType<typeof createLettering>;
 let store: ReturnType<typeof fakeApp>['store'];
 let pages: ReturnType<typeof fakeApp>['pages'];
+let messages: ReturnType<typeof fakeApp>['messages'];
 let selection: ReturnType<typeof createSelection>;
 /** The known photos at each placement of text. */
 let asked: Record<string, KnownPhoto>[] = [];
@@ -46,9 +47,9 @@ beforeEach(async () => {
   turns = [];
   fits = false;
   const app = fakeApp({}, { settled: (page) => lettering.settled(page) });
-  ({ store, pages } = app);
+  ({ store, pages, messages } = app);
   selection = createSelection({ store });
-  const { messages, scheduler } = app;
+  const { scheduler } = app;
   lettering = createLettering({ store, messages, selection, scheduler, load: async () => letters as any });
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
 });
@@ -263,6 +264,15 @@ describe('words', () => {
     expect(lettering.words.value[0].tail ?? null).toBeNull();
     lettering.settleOne(0);
     expect(lettering.words.value[0]).toMatchObject({ x: 0.25, auto: true });
+  });
+
+  test('the message about a removed text closes when the text is back', async () => {
+    await lettering.add('balloon');
+    lettering.remove(0);
+    expect(messages.list.value.map(({ text }) => text)).toEqual(['“Balloon: Hello!” was removed.']);
+    pages.undo();
+    await Promise.resolve();
+    expect([lettering.words.value.length, messages.list.value]).toEqual([1, []]);
   });
 
   test('another page has the words of this one whose photos it shows, on the panels of these', async () => {

@@ -6,6 +6,7 @@
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { language, strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
+import { noteUntilUndo } from '../ui/undo-note.ts';
 import { TITLE_FONT, wordName } from '../document/word-names.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { chainOf, hangsOn, joinedBefore, parted } from './joining.ts';
@@ -42,7 +43,7 @@ export function createLettering({
   scheduler,
 }: {
   store: Store;
-  messages: Pick<Messages, 'alert' | 'note'>;
+  messages: Pick<Messages, 'list' | 'alert' | 'note' | 'close'>;
   selection: Pick<import('../page/panels/selection.ts').Selection, 'panels'>;
   load: Engine['lettering'];
   scheduler: Scheduler;
@@ -389,7 +390,7 @@ export function createLettering({
     // Balloons that were linked to it have separate tails again.
     const orphans = all.flatMap((_, i) => (hangsOn(all, i) === index ? [i - Number(i > index)] : []));
     setPage({ ...page, words: unlinked(index).filter((_, i) => i !== index) }, orphans);
-    messages.note(strings.wordRemoved({ name: wordName(word) }));
+    noteUntilUndo({ messages, store }, strings.wordRemoved({ name: wordName(word) }));
   }
 
   /** Places a text item automatically again. */

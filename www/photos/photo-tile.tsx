@@ -3,10 +3,10 @@
 import { useComputed } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { noteWithUndo } from '../ui/undo-note.ts';
 import { Thumbnail } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { PLAIN, thumbnail } from './cover.ts';
-import { noteWithUndo } from './undo-note.ts';
 import { Icon } from '../ui/icon.tsx';
 import { PHOTO } from './photo-drag.ts';
 import { PhotoSubjects } from './subject-boxes.tsx';

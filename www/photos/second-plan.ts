@@ -8,12 +8,12 @@
  */
 
 import { effect, untracked } from '@preact/signals';
+import { noteWithUndo } from '../ui/undo-note.ts';
 import { photosOn } from '../engine/sheets.ts';
 import { strings } from '../strings/strings.ts';
 import { rankOf } from './hero.ts';
 import { onePerShot, shotOf } from './one-per-shot.ts';
 import { pagesOfText } from './pages-of-text.ts';
-import { noteWithUndo } from './undo-note.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';

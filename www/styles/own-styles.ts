@@ -4,6 +4,7 @@
  */
 
 import { computed } from '@preact/signals';
+import { noteUntilUndo } from '../ui/undo-note.ts';
 import { readText } from '../engine/text-file.ts';
 import { strings } from '../strings/strings.ts';
 import { save as saveFile } from '../ui/files.ts';
@@ -55,7 +56,7 @@ export function createOwnStyles({
     const gone = mine.peek().find((style) => style.id === id);
     if (!gone) return;
     store.change({ type: 'own-styles', mine: mine.peek().filter((style) => style !== gone) });
-    messages.note(strings.styleDeleted({ name: gone.name }));
+    noteUntilUndo({ messages, store }, strings.styleDeleted({ name: gone.name }));
   }
 
   /** @returns a stored copy */
