@@ -228,6 +228,8 @@ export function createAnimatics({
     wish: AnimaticWish,
     { signal, onProgress }: { signal: AbortSignal; onProgress: (done: number, total: number) => void },
   ): Promise<Blob> {
+    // The plan, the sound and the first picture take seconds, and the user can cancel them.
+    onProgress(0, 1);
     const { plan, table } = await planned(wish, { signal });
     if (wish.kind === 'gif' && plan.frames > GIF.fps * GIF.mostSeconds)
       throw failure('animatic-long', 'A GIF file is for up to a minute.');

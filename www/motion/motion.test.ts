@@ -1,5 +1,6 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { ANIMATIC } from '../engine/bounds.ts';
+import { createAnimatics, USUAL } from './animatics.ts';
 import { clock } from './clock.ts';
 import { clipsOf, drawFrame, frameAt, framesIn, same } from './frames.ts';
 import { bytesOf, gifSize } from './kinds.ts';
@@ -36,6 +37,18 @@ describe('the table of frames', () => {
 
   it('tells frames that are the same', () => {
     expect([0, 1, 2].map((frame) => same(table, frame, frame + 1))).toEqual([true, false, false]);
+  });
+});
+
+describe('the file', () => {
+  it('reports progress before the plan is made', () => {
+    const engine = { motion: () => new Promise(() => {}) };
+    const store = { sheets: { peek: () => [] } };
+    const animatics = createAnimatics({ store, engine, boards: {} } as any);
+    const onProgress = vi.fn();
+    const wish = { ...USUAL, of: 'pages', living: false } as const;
+    void animatics.film(wish, { signal: new AbortController().signal, onProgress });
+    expect(onProgress.mock.calls).toEqual([[0, 1]]);
   });
 });
 
