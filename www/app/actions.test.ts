@@ -76,6 +76,20 @@ test('the list of keys has the keys that people know, in their order', async () 
   expect(lines.filter((line) => known.has(String(line)))).toEqual(HELP);
 });
 
+test.each(['panels.join', 'panels.merge', 'panels.split', 'panels.swap'])(
+  '%s ends the selection of panels',
+  async (id) => {
+    const parts = await fakeParts();
+    parts.pages.chooseLayout('grid-4');
+    parts.selection.choose(true);
+    for (const panel of [0, 1]) parts.selection.press(panel, false);
+    if (id === 'panels.split') parts.merging.merge();
+    new Map(everyAction({ ...createActions(parts) })).get(id)?.run();
+    parts.selection.press(2, false);
+    expect(parts.selection.panels.value).toEqual([2]);
+  },
+);
+
 /** Actions that need a browser, a video, fonts, models or the real core. */
 const ELSEWHERE =
   /^(page\.acceptCrops|book\.(cancel|make|cover)|photos\.(add|choose|trySamples)|layouts\.(save|forget)|projects\.(create|save|cancel|openCopy|goBack)|window\.install|panels\.(save|breakFrame|earlier|later|zoom|fit|rotate|flip|reset|cut|slant|inset)|words|text|designer|explorer|imitation\.edit|styles|download\.download)/;

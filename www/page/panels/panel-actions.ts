@@ -125,6 +125,12 @@ export function createPanelActions({
       undo: 'gesture',
     }) satisfies Partial<PanelAction>;
 
+  /** The next click selects one panel again. */
+  const ended = (run: () => void) => () => {
+    run();
+    selection.several.value = false;
+  };
+
   /** The first half stays selected. */
   const split = (axis: 'rows' | 'columns') => {
     const at = panel();
@@ -222,25 +228,25 @@ export function createPanelActions({
       short: strings.short.span,
       icon: 'merge',
       why: computed(merging.cannotMerge),
-      run: merging.merge,
+      run: ended(merging.merge),
       undo: 'step',
     },
     split: {
       label: strings.split,
       icon: 'split',
       why: computed(merging.cannotSplit),
-      run: merging.split,
+      run: ended(merging.split),
       undo: 'step',
     },
     join: {
       label: strings.joinPanels,
       icon: 'join',
       why: computed(() => reshaping.cannotJoin(chosen.value)),
-      run() {
+      run: ended(() => {
         const at = panel();
         reshaping.joinPanels(chosen.peek());
         selection.set([at]);
-      },
+      }),
       undo: 'step',
     },
     frame: FRAME_KEYS,
@@ -282,11 +288,11 @@ export function createPanelActions({
       icon: 'swap',
       why: computed(() => (chosen.value.length > 2 ? whyNotOne.value : whyHeld.value)),
       on: computed(() => framing.mode.value?.kind === 'swap'),
-      run() {
+      run: ended(() => {
         const [one, other] = chosen.peek();
         if (other === undefined) framing.toggle('swap', one);
         else framing.swap(one, other);
-      },
+      }),
       undo: 'step',
     },
     star: {
