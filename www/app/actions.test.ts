@@ -1,12 +1,15 @@
+import { signal } from '@preact/signals';
 import { describe, expect, it, test, vi } from 'vitest';
 import { keyLines } from '../help/key-lines.ts';
 import { inLanguage, translations } from '../strings/testing.ts';
 import { everyAction, isEnabled, now } from '../ui/action.ts';
+import { toolsFor } from '../page/context-bar.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { keyNames } from '../ui/shortcut.ts';
 import { createActions } from './app.ts';
 import { fakeParts } from './app-testing.ts';
 import type { Action } from '../ui/action.ts';
+import type { App } from '../ui/context.ts';
 
 /** Entries that must not change. New entries may be added. */
 const HELP = [
@@ -89,6 +92,15 @@ test.each(['panels.join', 'panels.merge', 'panels.split', 'panels.swap'])(
     expect(parts.selection.panels.value).toEqual([2]);
   },
 );
+
+test('a page of a book has a few tools, also with one version', async () => {
+  const parts = await fakeParts();
+  const bookMaking = { progress: signal(null) };
+  const app = { ...parts, bookMaking } as unknown as App;
+  const tools = () => toolsFor({ ...app, actions: createActions(app) })?.shown;
+  parts.book.add();
+  expect([parts.store.versions.value.length, tools()]).toEqual([1, 2]);
+});
 
 /** Actions that need a browser, a video, fonts, models or the real core. */
 const ELSEWHERE =

@@ -88,7 +88,7 @@ function ModeHint() {
 }
 
 /** Returns null on a small screen without a selection. */
-function toolsFor({
+export function toolsFor({
   store,
   book: pages,
   selection,
@@ -167,7 +167,7 @@ function toolsFor({
     };
   }
   if (!wide) return null;
-  const isFirst = store.versions.value.length < 2;
+  const isFirst = store.pageHistory.value.length < 2;
   // A book is offered as long as many photos are on no page.
   const isAlbum = !pages.several.value && pages.areManyLeft.value && isEnabled(book.make);
   const offers = [...(isEnabled(page.acceptCrops) ? [page.acceptCrops] : []), ...(isAlbum ? [book.make] : [])];
