@@ -1,9 +1,22 @@
-/** Escape closes the mode that was opened last. */
+/** Escape closes the mode that was opened last, or the workspace. */
 
 import type { App } from '../ui/context.ts';
 
 /** @returns the action of Escape; `undefined` if there is nothing to close */
-export function escapeOf({ ui, framing, lettering, selection, reshaping, hints }: App): (() => void) | undefined {
+export function escapeOf({
+  ui,
+  explorer,
+  shownPages,
+  framing,
+  lettering,
+  selection,
+  reshaping,
+  hints,
+}: App): (() => void) | undefined {
+  const work = ui.work.peek();
+  if (work === 'explorer' && explorer.parent.peek()) return () => void (explorer.parent.value = null);
+  if (work === 'pages' && shownPages.pair.peek().length > 0) return () => void (shownPages.pair.value = []);
+  if (work !== null) return () => void (ui.work.value = null);
   if (ui.originals.peek()) return () => void (ui.originals.value = false);
   if (ui.preview.peek()) return () => void (ui.preview.value = false);
   if (framing.placing.peek() !== null) return () => framing.place(null);

@@ -17,7 +17,7 @@ const OWN_USE: Record<string, string> = {
 const TEXT_FIELDS = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
 
 /**
- * @param parts `leave`: the action of Escape on the board, if any. `covered`: whether a modal dialog is open. While a
+ * @param parts `leave`: the action of Escape, if any. `covered`: whether a modal dialog is open. While a
  * dialog of `ui` is loaded, the keys do nothing, because the user types them for the dialog; Escape cancels it.
  * `pointed`: the button that has the focus because of a click. Space must not press it again.
  * @returns a listener for `keydown` on the window
@@ -48,7 +48,7 @@ export function createKeys({
       return;
     }
     if (event.key === 'Escape' && !event.ctrlKey && !event.metaKey) {
-      take(event, ui.work.peek() !== null ? () => void (ui.work.value = null) : leave());
+      take(event, leave());
       return;
     }
     const shortcut = pressed(event).find((keys) => byKeys.has(keys));

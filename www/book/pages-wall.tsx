@@ -13,15 +13,21 @@ import type { Entry } from './shown-pages.ts';
 export function PagesWall() {
   const { shownPages, ui } = useApp();
   const [only, setOnly] = useState(false);
-  /** The versions that are compared, at most two. */
-  const [pair, setPair] = useState([] as readonly number[]);
+  const pair = shownPages.pair.value;
   const list = useRef(null as HTMLUListElement | null);
   const all = shownPages.entries.value;
   const two = all.filter(({ id }) => pair.includes(id));
   const compares = two.length === 2;
   const entries = compares ? two : only ? all.filter(({ loved }) => loved) : all;
 
-  useEffect(() => list.current?.querySelector('[aria-current]')?.scrollIntoView({ block: 'center' }), []);
+  useEffect(() => {
+    list.current?.querySelector('[aria-current]')?.scrollIntoView({ block: 'center' });
+    return () => setPair([]);
+  }, []);
+
+  function setPair(ids: readonly number[]) {
+    shownPages.pair.value = ids;
+  }
 
   const showAll = { label: strings.comparedAll, icon: 'previous', run: () => setPair([]) };
   const showFavourites = { label: strings.favouritePages, icon: 'heart', on: only, run: () => setOnly(!only) };

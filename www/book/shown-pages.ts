@@ -1,10 +1,11 @@
 /** The page history as the user sees it: the origin of each page, and favourites. */
 
-import { computed } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import { sheetsOf } from '../engine/sheets.ts';
 import type { Pages } from '../document/pages.ts';
 import type { PageDocument } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
+import type { Signal } from '@preact/signals';
 
 /**
  * `from`: number of the page that it was made from, if it is not the one before. `place`: the page of the storyboard
@@ -51,6 +52,8 @@ export function createShownPages({
 
   return {
     entries,
+    /** The versions that are compared, at most two. */
+    pair: signal([]) as Signal<readonly number[]>,
     go,
     love,
     loved: computed(() => store.project.value.loved.includes(store.project.value.pageId)),
