@@ -29,14 +29,14 @@ export function PagesWall() {
     shownPages.pair.value = ids;
   }
 
-  const showAll = { label: strings.comparedAll, icon: 'previous', run: () => setPair([]) };
+  const leave = compares ? { label: strings.comparedAll, icon: 'previous' } : { label: strings.cancel };
   const showFavourites = { label: strings.favouritePages, icon: 'heart', on: only, run: () => setOnly(!only) };
   const tools = (
     <div class="wall-bar">
       <p class="wall-hint" role="status">
         {pair.length === 1 && strings.compareSecond}
       </p>
-      {pair.length > 0 && <ActionButton action={showAll} class="button" text />}
+      {pair.length > 0 && <ActionButton action={{ ...leave, run: () => setPair([]) }} class="button" text />}
       <ActionButton action={showFavourites} class="button" text />
     </div>
   );
@@ -79,7 +79,7 @@ function ShownPage({
   const ref = useRef(null as HTMLButtonElement | null);
   const width = () => screenPixels(ref.current?.clientWidth ?? 120);
   return (
-    <li class="shown-page" style={{ '--aspect': page.page.width / page.page.height }}>
+    <li class="shown-page" data-compared={compared} style={{ '--aspect': page.page.width / page.page.height }}>
       <button
         type="button"
         ref={ref}

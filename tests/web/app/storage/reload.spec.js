@@ -173,6 +173,11 @@ test('the list of versions opens a version, and shows favourites and where a ver
   await wall.getByRole('button', { name: 'Compare version 1', exact: true }).click();
   await expect(wall.getByRole('status')).toHaveText('Select the second version to compare');
   expect((await wall.getByRole('status').boundingBox())?.height).toBeGreaterThan(10);
+  await expect(wall.getByRole('listitem').first()).toHaveCSS('outline-style', 'solid');
+  await expect(wall.getByRole('listitem').nth(1)).toHaveCSS('outline-style', 'none');
+  await wall.getByRole('button', { name: 'Cancel' }).click();
+  await expect(wall.getByRole('listitem').first()).toHaveCSS('outline-style', 'none');
+  await wall.getByRole('button', { name: 'Compare version 1', exact: true }).click();
   await wall.getByRole('button', { name: 'Compare version 3', exact: true }).click();
   await expect(wall.getByRole('button', { name: /^Version \d+$/ })).toHaveCount(2);
   await expect(wall.locator('[data-drawn=true]')).toHaveCount(2);
