@@ -7,7 +7,7 @@ pub const PAGES: usize = 24;
 /// Panels of a usual page, which is the number of photos that are due at once.
 const A_PAGE: f64 = 5.0;
 /// Maximum wait of a photo in pages, and the bonus per page beyond it.
-const OVERDUE: usize = 7;
+const OVERDUE: usize = 6;
 const EACH: f64 = 4.0;
 /// Bonus per page of waiting before a photo is overdue.
 const WAITING: f64 = 0.15;
