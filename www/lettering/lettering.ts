@@ -123,16 +123,22 @@ export function createLettering({
     return index === editing.value ? typed.value : words.value[index].text;
   }
 
-  /** Returns the box of a text item with another text; null without glyphs. */
+  /** Returns the box that a text item would have after its text changed; null without glyphs. */
   function measured(index: number, text: string): WordBox | null {
-    const page = store.page.peek();
-    const written = words.peek().map((word, i) => (i === index ? { ...word, text: bounded(text) } : word));
-    return (page && letters.peek()?.measure({ ...page, words: written })[index]) ?? null;
+    return boxOn(rewritten(index, bounded(text)), index);
+  }
+
+  function boxOn(page: PageDocument | null, index: number): WordBox | null {
+    return (page && letters.peek()?.measure(page)[index]) ?? null;
   }
 
   /** Sets the text items of the page, and places some of them. */
   function setPage(page: PageDocument, placed: readonly number[], gesture?: string) {
-    setWords(store, [{ at: store.project.peek().at, page: settled(page, placed) }], { gesture });
+    put(settled(page, placed), gesture);
+  }
+
+  function put(page: PageDocument | null, gesture?: string) {
+    if (page) setWords(store, [{ at: store.project.peek().at, page }], { gesture });
   }
 
   /** @returns the name of a new gesture */
@@ -269,21 +275,26 @@ export function createLettering({
   }
 
   /** @param stays whether it keeps its place */
-  function edit(index: number, news: Partial<Word>, gesture?: string, stays = news.auto === false) {
+  function edit(index: number, news: Partial<Word>, gesture?: string, stays?: boolean) {
+    put(edited(index, news, stays), gesture);
+  }
+
+  /** Returns the page after an edit. */
+  function edited(index: number, news: Partial<Word>, stays = news.auto === false): PageDocument | null {
     const page = store.page.peek();
-    if (!page || !words.peek()[index]) return;
+    if (!page || !words.peek()[index]) return null;
     // Shuffle does not replace edited text.
     const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, ...BY_HAND } : word));
     const next = { ...page, words: changed };
-    // A text item that the user moves has a fixed position. Others stay where they are as long as they fit there. Vertical text
+    // A text item that the user moves has a fixed position. Others stay where they are, or as close as possible. Vertical text
     // and another shape need other room.
     const box = boxes.peek()[index];
+    const chain = chainOf(changed, index);
     const isReshaped = news.vertical !== undefined || news.shape !== undefined;
     const isPlaced = stays || news.auto || isReshaped || !box;
-    const stayed = isPlaced ? null : planning.stayed(next, index, box);
-    if (stayed) setWords(store, [{ at: store.project.peek().at, page: stayed }], { gesture });
+    const stayed = isPlaced ? null : planning.stayed(next, index, box, chain.length === 1);
     // Otherwise all balloons of its chain are placed again.
-    else setPage(next, stays ? [] : chainOf(changed, index), gesture);
+    return stayed ?? settled(next, stays ? [] : chain);
   }
 
   /** Links a balloon to the previous one on its panel, or removes its link. */
@@ -334,14 +345,16 @@ export function createLettering({
     const clean = bounded(text.trim()).trim();
     editing.value = -1;
     if (clean === '') remove(index);
-    else if (clean !== words.peek()[index]?.text)
-      edit(index, { text: clean, located: undefined }, gesture, hasSize(index, clean));
+    else if (clean !== words.peek()[index]?.text) put(rewritten(index, clean), gesture);
   }
 
-  /** Whether a text item with another text has the same size. */
-  function hasSize(index: number, text: string): boolean {
-    const [before, after] = [boxes.peek()[index], measured(index, text)];
-    return !!before && !!after && before.width === after.width && before.height === after.height;
+  /** Returns the page after the text of an item changed. */
+  function rewritten(index: number, text: string): PageDocument | null {
+    const news = { text, located: undefined };
+    const inPlace = edited(index, news, true);
+    const [before, after] = [boxes.peek()[index], boxOn(inPlace, index)];
+    const hasSize = !!before && !!after && before.width === after.width && before.height === after.height;
+    return hasSize ? inPlace : edited(index, news);
   }
 
   /** @param to its middle, in page widths */

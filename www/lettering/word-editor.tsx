@@ -9,9 +9,6 @@ import { fontFamily, loadFont } from './word-fonts.ts';
 import { focusOn, placed } from './word-hands.ts';
 import type { WordBox } from '../engine/types.ts';
 
-/** Smaller text cannot be edited with a finger, in CSS pixels. A word that is too long for its line may be smaller. */
-const LEAST_FOR_FINGERS = 14;
-const LEAST_FOR_WORDS = 10;
 /** Minimum width of the field, in CSS pixels. */
 const NARROWEST = 56;
 /** Maximum size of the text in the field of a sound effect, and the gap between field and effect, in CSS pixels. */
@@ -44,12 +41,13 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
   useLayoutEffect(() => {
     const area = field.current as HTMLTextAreaElement;
     const page = area.closest('.page') as HTMLElement;
-    const least = window.matchMedia('(pointer: coarse)').matches ? LEAST_FOR_FINGERS : LEAST_FOR_WORDS;
     const fit = () => {
-      const text = Math.max(least, box.size * page.clientWidth);
+      const now = lettering.measured(index, area.value || word.text) ?? box;
+      const text = now.size * page.clientWidth;
       const largest = isEffect ? Math.min(MOST_FOR_EFFECTS, text) : text;
       area.style.fontSize = `${largest}px`;
-      const now = lettering.measured(index, area.value || word.text) ?? box;
+      const { left, top } = placed(now, height);
+      Object.assign(area.style, { left, top });
       // The drawn balloon extends at least over the field.
       const size = isEffect
         ? ([now.width, 0] as const)
@@ -57,7 +55,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       grow(area, page, size, PADS[word.kind]);
       if (isEffect) moveBeside(area, page, now);
       // The font of the system may be wider than the font of the balloon, and then words would break.
-      for (let text = largest - 1; area.scrollWidth > area.clientWidth && text >= LEAST_FOR_WORDS; text -= 1) {
+      for (let text = largest - 1; area.scrollWidth > area.clientWidth && text > largest / 2; text -= 1) {
         area.style.fontSize = `${text}px`;
         grow(area, page, size, PADS[word.kind]);
       }

@@ -121,10 +121,21 @@ export function createWordPlanning({
    * Returns a page with an automatic text item at its earlier place after its text changed. Null if it does not fit there, or
    * without glyphs.
    * @param before its earlier bounds
+   * @param isAlone whether it may move to the closest place without a face
    */
-  function stayed(page: PageDocument, index: number, before: WordBox): PageDocument | null {
+  function stayed(page: PageDocument, index: number, before: WordBox, isAlone: boolean): PageDocument | null {
     const words = letters.peek()?.stay(page, knownOn(page), index, before);
-    return words ? { ...page, words } : null;
+    if (words) return { ...page, words };
+    return isAlone && page.words?.[index].auto !== false ? moved(page, index) : null;
+  }
+
+  /** Returns a page with an automatic text item moved off faces, like one that the user placed. */
+  function moved(page: PageDocument, index: number): PageDocument | null {
+    const all = page.words ?? [];
+    // Its earlier room may be too small for its text.
+    const fixed = all.map((word, i) => ({ ...word, auto: false, ...(i === index && { room: undefined }) }));
+    const words = letters.peek()?.settle({ ...page, words: fixed }, knownOn(page), true);
+    return words ? { ...page, words: all.map((word, i) => (i === index ? { ...words[i], auto: true } : word)) } : null;
   }
 
   /** The subjects and masks of the photos of a page, by their ids. */

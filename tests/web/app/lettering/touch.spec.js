@@ -102,6 +102,31 @@ test.describe('on a phone', () => {
     await expect(field(page)).toBeFocused();
   });
 
+  test('a balloon keeps the place and the text size that its field has after typing', async ({ page }) => {
+    await openBoard(page);
+    for (const n of [1, 2]) {
+      await page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) }).tap();
+      await addBalloon(page);
+      await page.keyboard.type(LONG);
+      const canvas = await box(page.locator('.page-canvas'));
+      const seen = await box(field(page));
+      const size = await field(page).evaluate((area) => Number.parseFloat(getComputedStyle(area).fontSize));
+      await page.keyboard.press('Enter');
+      await idle(page);
+      const chosen = page.locator('.word[aria-pressed=true]');
+      await expect(chosen).toHaveAccessibleName(`Balloon: ${LONG}`);
+      const after = await box(chosen);
+      expect(Math.abs(seen.x + seen.width / 2 - after.x - after.width / 2)).toBeLessThan(4);
+      expect(Math.abs(seen.y + seen.height / 2 - after.y - after.height / 2)).toBeLessThan(4);
+      await page.getByRole('button', { name: 'Format', exact: true }).tap();
+      const points = Number(await page.getByRole('spinbutton', { name: 'Text size' }).inputValue());
+      // A system font may be wider, and then the field reduces its text.
+      expect(size).toBeLessThan((points / 72 / (2480 / 300)) * canvas.width + 0.2);
+      await page.getByRole('button', { name: 'Close', exact: true }).tap();
+      await page.keyboard.press('Escape');
+    }
+  });
+
   test('the tools of a selected text item have names, and Format has its shape', async ({ page }) => {
     await openBoard(page);
     await addBalloon(page);
