@@ -141,7 +141,7 @@ export function toolsFor({
       kind: 'crop',
       title: strings.crop,
       tools: [panels.zoomIn, panels.zoomOut, panels.rotate, panels.flip, panels.fit, panels.reset].filter(isEnabled),
-      shown: wide ? SHOWN.crop : SHOWN.most,
+      shown: wide ? SHOWN.crop : SHOWN.small,
       end: panels.cropped,
     };
   if (other !== undefined || selection.several.value)

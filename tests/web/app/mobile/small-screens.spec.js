@@ -174,6 +174,21 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
         await expectWholeWords(page, 'designer');
       });
 
+      test('the tools of a crop are in one row, with Done', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        await panel(page, 2).tap();
+        await button(page, 'Crop').tap();
+        await button(page, 'Zoom in').tap();
+        for (const width of [360, PORTRAIT.width]) {
+          await page.setViewportSize({ ...PORTRAIT, width });
+          const rows = await page
+            .locator('.context-bar .tool')
+            .evaluateAll((tools) => tools.map((tool) => tool.getBoundingClientRect().top));
+          expect([rows.length, new Set(rows).size]).toEqual([6, 1]);
+          expect(await isFree(button(page, 'Done'))).toBe(true);
+        }
+      });
+
       test('the designer shows two sliders below the preview', async ({ page }) => {
         await openBoard(page, ALBUM);
         await openSliders(page);
