@@ -189,6 +189,20 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
         }
       });
 
+      test('while a photo is replaced, the tray shows photos without controls', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        await button(page, 'Photos').tap();
+        const controls = page.locator('.tray .photo').getByRole('checkbox').or(page.locator('.tray .photo button'));
+        await expect(controls.first()).toBeVisible();
+        await button(page, 'Close').tap();
+        await panel(page, 2).tap();
+        await button(page, 'Replace').tap();
+        await expect(page.getByRole('button', { name: 'Choose cat.jpg' })).toBeVisible();
+        await expect(controls.filter({ visible: true })).toHaveCount(0);
+        await page.getByRole('button', { name: 'Choose cat.jpg' }).tap();
+        await expect(panel(page, 2)).toHaveAccessibleDescription(/cat\.jpg/);
+      });
+
       test('the designer shows two sliders below the preview', async ({ page }) => {
         await openBoard(page, ALBUM);
         await openSliders(page);
