@@ -9,7 +9,7 @@ import { Alternatives } from '../page/alternatives-strip.tsx';
 import { PageStrip } from '../book/page-strip.tsx';
 import { BottomBar } from './bottom-bar.tsx';
 import { useApp } from '../ui/context.ts';
-import { ContextBar } from '../page/context-bar.tsx';
+import { ContextBar, ModeHint } from '../page/context-bar.tsx';
 import { HintLine } from '../help/hint-line.tsx';
 import { Versions } from '../page/versions.tsx';
 import { isEnabled } from '../ui/action.ts';
@@ -50,6 +50,7 @@ function WideBoard() {
         {book.several.value && <PageStrip />}
         <div class="page-side">
           <ContextBar />
+          <ModeHint />
           <HintLine />
           <div class="shuffle-bar">
             <Versions heart />

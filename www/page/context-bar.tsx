@@ -67,14 +67,15 @@ export function ContextBar({ bare = false }: { bare?: boolean }) {
           {found.end && <ActionButton action={found.end} class="tool tool-end" text />}
         </>
       )}
-      <ModeHint />
+      {/* A large screen shows it below the list, which scrolls. */}
+      {!ui.wide.value && <ModeHint />}
       <BookProgress />
     </div>
   );
 }
 
 /** The effect of the next click or key on the page. */
-function ModeHint() {
+export function ModeHint() {
   const { framing, reshaping, selection, lettering } = useApp();
   const mode = framing.mode.value;
   const aim = lettering.mode.value;

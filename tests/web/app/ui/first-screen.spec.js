@@ -77,6 +77,11 @@ for (const viewport of [
       await tools.last().click();
       // A disabled tool explains why it is disabled.
       await expect(tools.filter({ hasText: 'Reset' })).toContainText('the crop is the automatic one');
+      // The request to select a panel covers no tool.
+      await tools.filter({ hasText: 'Swap' }).click();
+      const hint = await page.getByText('Select the panel to swap with').boundingBox();
+      const list = await page.getByRole('toolbar', { name: 'Panel tools' }).boundingBox();
+      expect(hint?.y).toBeGreaterThanOrEqual((list?.y ?? 0) + (list?.height ?? 0));
       await accessible(page);
     });
   });
