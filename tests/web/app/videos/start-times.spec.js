@@ -45,3 +45,17 @@ test('times of frames start at the first picture in the player of the browser, t
   expect(times.length).toBeGreaterThan(4);
   expect(late).toEqual(times);
 });
+
+test('each frame has at most one reason, which is not cut', async ({ page }) => {
+  await page.goto('./');
+  await add(page, [await video('day.mp4')]);
+  await idle(page);
+  const counts = await page.locator('.photo').evaluateAll((photos) =>
+    photos.map((photo) => {
+      const reasons = [...photo.querySelectorAll('.photo-why')].filter((reason) => reason.checkVisibility());
+      return [reasons.length, reasons.filter((reason) => reason.scrollWidth > reason.clientWidth).length];
+    }),
+  );
+  expect(counts).toContainEqual([1, 0]);
+  expect(counts.filter(([all, cut]) => all > 1 || cut > 0)).toEqual([]);
+});
