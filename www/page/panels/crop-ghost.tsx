@@ -1,6 +1,6 @@
 /**
- * The whole photo of a panel while it is cropped, in its place around the panel: its parts outside of the panel are
- * dimmed. The panel itself stays free, as it shows the result.
+ * The whole photo of a panel while it is cropped, in its place around the panel. Its parts outside of the panel are
+ * dimmed, and fade out before they hide the other panels. The panel itself stays free, as it shows the result.
  */
 
 import { PLAIN } from '../../photos/cover.ts';
@@ -36,6 +36,10 @@ export function CropGhost({ page, geometry }: { page: PageDocument; geometry: Ge
         top: `${(whole.y / geometry.height) * 100}%`,
         width: `${whole.width * 100}%`,
         height: `${(whole.height / geometry.height) * 100}%`,
+        '--left': part(bounds.x, whole.x, whole.width),
+        '--right': part(bounds.x + bounds.width, whole.x, whole.width),
+        '--top': part(bounds.y, whole.y, whole.height),
+        '--bottom': part(bounds.y + bounds.height, whole.y, whole.height),
         clipPath: withHoles(group.flatMap((i) => geometry.panels[i] ?? []).map((one) => cornersIn(one, whole))),
       }}
     >
@@ -54,10 +58,14 @@ export function wholePhoto(bounds: Bounds, crop: Bounds): Bounds {
   return { x: bounds.x - crop.x * width, y: bounds.y - crop.y * height, width, height };
 }
 
+/** A position as a percentage of the photo. */
+function part(at: number, from: number, length: number): string {
+  return `${(((at - from) / length) * 100).toFixed(3)}%`;
+}
+
 /** The corners of a panel as percentages of the photo. */
 function cornersIn({ polygon = [], circle }: PanelShape, whole: Bounds): string[] {
   const corners = circle ? around(circle) : polygon;
-  const part = (at: number, from: number, length: number) => `${(((at - from) / length) * 100).toFixed(3)}%`;
   return corners.map(([x, y]) => `${part(x, whole.x, whole.width)} ${part(y, whole.y, whole.height)}`);
 }
 

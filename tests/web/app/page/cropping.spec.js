@@ -43,6 +43,22 @@ test('cropping shows the whole photo around its panel, and leaves the panel free
   await expect(ghost(page)).toHaveCount(0);
 });
 
+test('the photo around its panel leaves the other panels visible', async ({ page }) => {
+  const { x, y, width, height } = await boxOf(page, 1);
+  const clip = { x: x + 4, y: y + 4, width: width / 2, height: height - 8 };
+  await panel(page, 2).click();
+  const before = await page.screenshot({ clip });
+  await press(page, 'Crop');
+  await expect(ghost(page).locator('[data-drawn=true]')).toBeVisible();
+  const left = () => ghost(page).evaluate((element) => element.getBoundingClientRect().left);
+  while ((await left()) > clip.x) {
+    await press(page, 'Zoom in');
+    await idle(page);
+  }
+  expect((await page.screenshot({ clip })).equals(before)).toBe(true);
+  await press(page, 'Done');
+});
+
 test('the whole photo follows a drag, and the arrow keys', async ({ page }) => {
   const { x, y, width, height } = await boxOf(page, 1);
   await page.mouse.move(x + width / 2, y + height / 2);
