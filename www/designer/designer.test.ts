@@ -4,7 +4,7 @@ import { createDesigner } from './designer.ts';
 import { MOST } from '../document/limits.ts';
 import { fakeApp } from '../document/testing.ts';
 import { strings } from '../strings/strings.ts';
-import type { DraftEdit } from '../engine/types.ts';
+import type { DraftEdit, Intent } from '../engine/types.ts';
 
 const add = (name: string, at = 99, layer = 'background' as const) =>
   ({ type: 'add', layer, at, blocks: [name] }) as DraftEdit;
@@ -103,6 +103,23 @@ describe('the designer', () => {
     expect([designer.draft.value?.background.length, (store.page.value!.style as any).background.length]).toEqual([
       1, 1,
     ]);
+  });
+
+  it('previews the page on the paper that it has after Use', async () => {
+    const { designer, store, reading, files, pages } = app();
+    await reading.addFiles(files('a', 'b', 'c'));
+    const { preview } = pages;
+    const paper = '#15141a';
+    const planned = (intent: Intent) => {
+      const page = preview(intent);
+      return page && { ...page, page: { ...page.page, paper } };
+    };
+    pages.preview = planned;
+    designer.open();
+    designer.change(add('gaussian'));
+    expect(designer.sheet.value).toEqual({ ...store.page.value, page: { ...store.page.value?.page, paper } });
+    designer.use();
+    expect(designer.sheet.value).toBe(store.page.value);
   });
 
   it('says what the core finds wrong, and uses nothing of it', async () => {

@@ -3,7 +3,7 @@
  * include its edits. While a slider is dragged the draft is separate, and the whole drag is one step.
  */
 
-import { computed, signal } from '@preact/signals';
+import { computed, signal, untracked } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
 import { explain } from '../ui/explain.ts';
@@ -57,6 +57,16 @@ export function createDesigner({
     return typeof style === 'object' && style.id !== undefined && style.id === store.project.value.draft?.id;
   });
 
+  const id = computed(() => draft.value?.id);
+  /** The page on the paper that it would have after `use`: the core chooses it by the id of the style. */
+  const sheet = computed(() => {
+    const page = store.page.value;
+    if (!page || id.value === undefined || onPage.value) return page;
+    const style = untracked(() => shown.value);
+    const used = style && untracked(() => pages.preview({ type: 'choose-style', style, seed: 0 }));
+    return used ? { ...page, page: used.page } : page;
+  });
+
   /** Position of the next block from the palette. Default: at the end. */
   const place: Signal<{ layer: Layer; at: number | null }> = signal({ layer: 'background', at: null });
 
@@ -66,6 +76,7 @@ export function createDesigner({
     facts,
     shown,
     onPage,
+    sheet,
     place,
     /** Content of the preview. */
     preview: signal('photo') as Signal<'photo' | 'page'>,

@@ -28,7 +28,7 @@ function toggle(label: string, on: Signal<boolean>): Action {
 }
 
 export function Preview({ onStages }: { onStages: (designed: Designed) => void }) {
-  const { store, engine, designer, lettering, ownPainters } = useApp();
+  const { engine, designer, lettering, ownPainters } = useApp();
   const chosen = useSignal(null as string | null);
   const four = useSignal(false);
   const compare = useSignal(false);
@@ -42,7 +42,7 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
   const at = Math.max(0, ids.indexOf(first));
   const shown = four.value ? [...facts.slice(at), ...facts.slice(0, at)].slice(0, 4) : facts.slice(at, at + 1);
 
-  const page = store.page.value;
+  const page = designer.sheet.value;
   const kind = page && facts.length > 0 ? designer.preview.value : 'photo';
   // The style of the page is ignored: the preview uses the draft, and the page may follow each edit.
   const pageKey = kind === 'page' ? JSON.stringify({ ...page, style: null }) : '';
