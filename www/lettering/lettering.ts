@@ -25,6 +25,8 @@ const [NARROWEST, WIDEST] = [0.04, 0.96];
 /** A new title: as wide as the page, in the font of a book's title, and at the top of the page if no face is there. */
 const TITLE: Partial<Word> = { font: TITLE_FONT, boxless: true, size: 0.1, width: WIDEST };
 
+/** Maximum number of letters of a text whose place is searched while it is typed. */
+const MOST_SEARCHED = 150;
 /** An edited text item belongs to the user: neither Shuffle nor a new book replaces it. */
 const BY_HAND = { made: undefined, book: undefined, number: undefined };
 
@@ -125,7 +127,9 @@ export function createLettering({
 
   /** Returns the box that a text item would have after its text changed; null without glyphs. */
   function measured(index: number, text: string): WordBox | null {
-    return boxOn(rewritten(index, bounded(text)), index);
+    const clean = bounded(text);
+    // A place is searched at each key, which takes too long for long texts.
+    return boxOn(clean.length > MOST_SEARCHED ? edited(index, { text: clean }, true) : rewritten(index, clean), index);
   }
 
   function boxOn(page: PageDocument | null, index: number): WordBox | null {
