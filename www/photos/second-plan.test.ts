@@ -184,6 +184,23 @@ test('a page of a video gets other shots when the video is read, before the dete
   expect(new Set(store.page.value?.panels.map(({ photo }) => store.album.value.get(String(photo))?.shot)).size).toBe(6);
 });
 
+test('other shots of a video are chosen from the frames that were read', async () => {
+  const made = await app([]);
+  const { store, planner } = made;
+  const asked: string[] = [];
+  planner.planned = (page, wish) => {
+    if (wish.type === 'compose') asked.push(...wish.photos);
+    return page;
+  };
+  store.reading.value = { done: 9, total: 10 };
+  asFilm(made);
+  const last = store.facts.value[9];
+  store.know({ ...last, meta: null });
+  store.reading.value = null;
+  expect(asked.length).toBeGreaterThan(5);
+  expect(asked).not.toContain(last.id);
+});
+
 test('a page of a video without repeated shots waits for the detection', async () => {
   const { store, names, search } = await app(['9.jpg']);
   const before = names();

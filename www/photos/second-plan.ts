@@ -81,8 +81,10 @@ export function planAgain({
   function replace({ isEarly, silent }: { isEarly: boolean; silent: boolean }) {
     const page = store.page.peek();
     const exchanged = !isEarly && page !== null && useOpenEyes(page);
-    const all = store.photos.peek();
-    const photos = page ? onePerShot(all, store.album.peek(), page.panels.length) : [];
+    const album = store.album.peek();
+    // Unread frames of a video have no place in its order.
+    const all = store.photos.peek().filter(({ id }) => album.get(id)?.meta);
+    const photos = page ? onePerShot(all, album, page.panels.length) : [];
     if (!page || (!exchanged && photos.length <= page.panels.length)) return;
     const { layout, style, panels } = page;
     const wish = { photos: photos.map(({ id }) => id), layout, style, panels: panels.length, surprise: 0 };
