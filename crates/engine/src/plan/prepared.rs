@@ -244,15 +244,14 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
             _ => 0.3 * size(0.45),
         }
     };
-    let best = subjects.iter().map(|s| value(s)).fold(0.0, f64::max);
+    let lit = if faces().any(|face| face.score >= KNOWN) { 1.0 } else { 1.0 - gloom(photo) };
+    let best = lit * subjects.iter().map(|s| value(s)).fold(0.0, f64::max);
     let least = |s: &Subject| match s.label.as_str() {
         "person" if is_known(s) => ALIVE,
         "person" => ALIVE * BEHIND.0 / BEHIND.1 * if is_crowd { CROWD.1 } else { 1.0 },
         _ => ALIVE,
     };
     let alive = subjects.iter().any(|s| s.is_alive() && value(s) >= least(s));
-    let lit = if faces().any(|face| face.score >= KNOWN) { 1.0 } else { 1.0 - gloom(photo) };
-    let best = lit * best;
     let tallest = faces().map(|face| face.height).fold(0.0, f64::max);
     let group = faces().filter(|face| face.height >= 0.5 * tallest && side(face) >= 0.03);
     let mut group: Vec<f64> =

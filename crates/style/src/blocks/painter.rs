@@ -114,7 +114,7 @@ fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Im
 }
 
 /// The latest output of the network, and its input.
-struct Painting {
+struct Stored {
     small: Image,
     choice: Choice,
     painters: Arc<Painters>,
@@ -137,7 +137,7 @@ fn paint(
     let place = (args.number(0) - 1.0).clamp(0.0, (painters.count() - 1) as f32);
     let choice =
         Choice { first: place as usize, second: place.ceil() as usize, share: place - place.floor() };
-    let is_same = |stored: &Painting| {
+    let is_same = |stored: &Stored| {
         let same_norms = match (&stored.norms, &norms) {
             (Some(stored), Some(norms)) => Arc::ptr_eq(stored, norms),
             (stored, norms) => stored.is_none() && norms.is_none(),
@@ -147,14 +147,13 @@ fn paint(
             && stored.choice == choice
             && stored.small == small
     };
-    let stored = match context.take::<Painting>().filter(is_same) {
-        Some(stored) => stored,
-        None => {
-            let (painting, measured) =
-                painters.paint(&small, choice, norms.as_deref(), &|| context.check_cancelled())?;
-            let used = norms.clone().unwrap_or_else(|| Arc::new(measured));
-            Painting { small, choice, painters: painters.clone(), norms, painting, used }
-        }
+    let stored = if let Some(stored) = context.take::<Stored>().filter(is_same) {
+        stored
+    } else {
+        let (painting, measured) =
+            painters.paint(&small, choice, norms.as_deref(), &|| context.check_cancelled())?;
+        let used = norms.clone().unwrap_or_else(|| Arc::new(measured));
+        Stored { small, choice, painters: painters.clone(), norms, painting, used }
     };
     let painted = if (stored.small.width(), stored.small.height()) == (image.width(), image.height()) {
         stored.painting.clone()
