@@ -76,6 +76,8 @@ test('a click in the lists applies a layout and a style', async ({ page }) => {
   for (const list of /** @type {const} */ (['Layouts', 'Styles'])) {
     await tab(page, list);
     const box = page.getByRole('listbox', { name: list });
+    // The list scrolls to its selected option when it opens.
+    await expect(box.getByRole('option', { selected: true })).toBeInViewport();
     const before = await picture(page);
     const option = box.getByRole('option', { selected: false }).nth(2);
     const name = await option.getAttribute('aria-label');
