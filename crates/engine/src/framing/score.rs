@@ -39,8 +39,8 @@ const SOME_SIZE: f64 = 0.01;
 const CROWN: f64 = 0.4;
 /// Cost of less room than [`ROOM`] where a face looks, in widths of the crop.
 const CRAMPED: f64 = 0.8;
-/// Distance of the only face from the middle that costs nothing, times the aspect ratio of the crop, and at most: a
-/// wide panel has room beside a person. In widths of the crop.
+/// Distance of the only face from the middle without cost, in widths of the crop: the first number times the aspect ratio
+/// of the crop, at most the second number. A wide panel has room beside a person.
 const CENTRED: (f64, f64) = (0.08, 0.17);
 /// Cost of more distance, in widths of the crop.
 const ASIDE: f64 = 1.5;
@@ -181,7 +181,7 @@ impl<'a> Judge<'a> {
         }
         let (mut cover, mut size, mut cut, mut off_line) = (0.0, 0.0f64, 0.0, 0.0f64);
         let mut cramped = None;
-        let mut faces = Vec::new();
+        let (mut faces, mut off_middle) = (0, 0.0f64);
         let mut face_height = 0.0f64;
         for (((area, subject), weight), role) in self.view.subjects.iter().zip(&self.weights).zip(&self.roles)
         {
@@ -208,7 +208,8 @@ impl<'a> Judge<'a> {
                 };
                 off_line = off_line.max(inside * off);
                 if inside > 0.9 {
-                    faces.push(across + ROOM * subject.gaze());
+                    faces += 1;
+                    off_middle = (across + ROOM * subject.gaze() - 0.5).abs();
                 }
                 // The main face of the crop.
                 if inside > 0.9 && cramped.is_none() && !self.view.target.round {
@@ -218,7 +219,7 @@ impl<'a> Judge<'a> {
         }
         let say = (total / STRONG).min(1.0);
         let centred = (CENTRED.0 * crop.width / crop.height).min(CENTRED.1);
-        let aside = if let [across] = faces[..] { ((across - 0.5).abs() - centred).max(0.0) } else { 0.0 };
+        let aside = if faces == 1 { (off_middle - centred).max(0.0) } else { 0.0 };
         let near = (face_height / FACE_HEIGHT).min(1.0) * (crop.width / CLOSE_WIDTH).min(1.0);
         say * (2.0 * cover + 0.6 * comfort(size)) + FACE_VALUE * near
             - 2.0 * cut

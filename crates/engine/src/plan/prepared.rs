@@ -40,8 +40,8 @@ const UNCLEAR: f64 = 0.4;
 const CROWD: (usize, f64) = (4, 0.6);
 /// Factor of the value of a photo that cuts the head of a person.
 const HEADLESS: f64 = 0.85;
-/// The part of a photo in the two darkest of sixteen tones from which it is gloomy, and completely gloomy, and the part of its
-/// value that this costs. Styles draw such photos as black areas.
+/// A photo with this part of its pixels in the two darkest of sixteen tones starts to lose value. The second part costs the
+/// third number, as a part of the value. Styles draw such photos as black areas.
 const GLOOM: (f64, f64, f64) = (0.5, 0.85, 0.5);
 /// The value of a face rises from the first score to the second. The back of a head can have 0.5.
 const DOUBTFUL: (f64, f64) = (0.35, 0.96);
