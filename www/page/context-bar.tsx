@@ -3,7 +3,7 @@
  * used are shown; `More` has the others, each with the reason why it cannot be used.
  */
 
-import { useEffect } from 'preact/hooks';
+import { useLayoutEffect } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { wordName } from '../document/word-names.ts';
 import { useApp } from '../ui/context.ts';
@@ -31,8 +31,8 @@ export function ContextBar({ bare = false }: { bare?: boolean }) {
   const { ui, lettering } = app;
   const found = bare ? null : toolsFor(app);
   const open = ui.allTools.value;
-  // Another selection begins with a few tools.
-  useEffect(() => {
+  // Another selection begins with a few tools. A passive effect would close tools that were opened right after a selection.
+  useLayoutEffect(() => {
     ui.allTools.value = false;
   }, [found?.kind]);
   const usable = found?.tools.filter(isEnabled) ?? [];

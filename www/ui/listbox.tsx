@@ -132,7 +132,8 @@ export function Listbox<T extends Option>({
 /** Scrolls the list, and nothing around it, if the chosen option is not in view. Its neighbours are then in view too. */
 function reveal(list: HTMLElement | null) {
   const option = list?.querySelector('[aria-selected=true]');
-  if (!list || !option) return;
+  // Nothing moves under the pointer: a click would hit another option.
+  if (!list || !option || list.matches(':hover')) return;
   const { top, bottom } = list.getBoundingClientRect();
   const inner = option.getBoundingClientRect();
   // A search field may cover the padding.

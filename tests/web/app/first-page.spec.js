@@ -2,6 +2,7 @@
 /** The first page: empty panels until its photos are measured, then a page that only the user changes. */
 
 import { readFile } from 'node:fs/promises';
+import { reloadSaved } from './project-files.js';
 import { SIX, add, detectingTest, expect, idle, photos, picture, test } from './support.js';
 
 /** Returns the accessible descriptions of the panels. */
@@ -37,8 +38,7 @@ test('drafts of large photos are replaced in the panels', async ({ page }) => {
   await idle(page);
   const first = await picture(page);
   // A stored photo has no draft.
-  await page.reload();
-  await idle(page);
+  await reloadSaved(page);
   expect(await picture(page)).toBe(first);
 });
 

@@ -6,7 +6,7 @@ import { chunksOf, dataOf, textHead, textOf } from '../../../www/engine/png-chun
 import { readArchive } from '../../../www/engine/archive.ts';
 import { savedAs } from './export-dialog.js';
 import { enriched } from './malformed-files.js';
-import { PNG, expect } from './support.js';
+import { PNG, expect, idle } from './support.js';
 
 /** @typedef {import('./support.js').Page} Page */
 /** A document and the files of its photos. @typedef {{ document: any, photos: { name: string, blob: Blob }[] }} Parts */
@@ -22,6 +22,13 @@ export const SMALL = ['one', 'two', 'three'].map((name, i) => {
 /** Waits until the app shows that all work is saved. @param {Page} page */
 export const expectSaved = (page) => expect(page.locator('.save-state')).toHaveText('Saved', { timeout: 120_000 });
 export { expectSaved as saved };
+
+/** Reloads the app when the project is saved: the app asks before files are lost, and the browser of a test says yes. @param {Page} page */
+export async function reloadSaved(page) {
+  await expectSaved(page);
+  await page.reload();
+  await idle(page);
+}
 
 /** Saves the open project as a project file and as a PNG file, and adds content to both. @param {Page} page @returns {Promise<{ project: Parts, page: Parts }>} */
 export async function goodFiles(page) {

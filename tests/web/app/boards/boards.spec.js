@@ -6,6 +6,7 @@ import { readFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
 import { probed } from '../video-files.js';
 import { chooseFormat, openExport, saved } from '../export-dialog.js';
+import { reloadSaved } from '../project-files.js';
 import {
   accessible,
   expect,
@@ -386,8 +387,7 @@ test('a logo is in the head of each sheet, can be undone, and is stored and save
   await expect(page.getByRole('alert').filter({ hasText: 'words.png is not an image' })).toBeVisible();
   await expect(shown).toBeVisible();
 
-  await page.reload();
-  await idle(page);
+  await reloadSaved(page);
   await openShots(page);
   await drawn(page);
   await expect.poll(() => logoColour(page)).toBe(red);

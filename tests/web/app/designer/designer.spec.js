@@ -13,6 +13,7 @@ import {
   region,
   startEmpty,
 } from '../style-designer.js';
+import { reloadSaved } from '../project-files.js';
 import {
   accessible,
   contents,
@@ -182,8 +183,7 @@ test('keyboard: a style is built, saved, and edited after a reload', async ({ pa
   await button(page, 'Save style').focus();
   await page.keyboard.press('Enter');
   await expect(page.getByRole('status').getByText('By keys is in My styles.')).toBeVisible();
-  await page.reload();
-  await idle(page);
+  await reloadSaved(page);
   await tab(page, 'Styles');
   const option = page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'By keys' });
   await option.focus();

@@ -1,5 +1,6 @@
 // @ts-check
 import { FOUR, drawn, invent, names } from '../style-designer.js';
+import { reloadSaved } from '../project-files.js';
 import { accessible, contents, expect, idle, openBoard, picture, press, reach, tab, test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
@@ -104,8 +105,7 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await drawn(page);
   expect((await names(page)).length).toBeGreaterThan(2);
 
-  await page.reload();
-  await idle(page);
+  await reloadSaved(page);
   await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
   await look.selectOption('favourites');
   await expect(wall(page)).toHaveCount(2);

@@ -1,6 +1,7 @@
 // @ts-check
 /** The suggestions below the page, and the space that the page has. */
 
+import { reloadSaved } from '../project-files.js';
 import {
   contents,
   expect,
@@ -138,8 +139,7 @@ test('the alternatives fold to make space for the page, also after a reload', as
   await page.getByRole('button', { name: 'Hide suggestions' }).click();
   await expect(page.getByRole('button', { name: /^Suggestion \d/ })).toHaveCount(0);
   await expect.poll(height).toBeGreaterThan(before + 50);
-  await page.reload();
-  await idle(page);
+  await reloadSaved(page);
   await page.getByRole('button', { name: 'Show suggestions' }).click();
   await expect(alternative(page, 1)).toBeVisible();
 });
@@ -148,8 +148,7 @@ test('the suggestions are folded in a low window', async ({ page }) => {
   await openBoard(page);
   await page.evaluate(() => localStorage.removeItem('inkpanel.ideas'));
   await page.setViewportSize({ width: 1366, height: 768 });
-  await page.reload();
-  await idle(page);
+  await reloadSaved(page);
   await expect(page.getByRole('button', { name: 'Show suggestions' })).toBeVisible();
   await expect(page.getByRole('button', { name: /^Suggestion \d/ })).toHaveCount(0);
 });

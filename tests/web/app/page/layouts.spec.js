@@ -2,6 +2,7 @@
 /** Layouts: families, page sizes, layouts of the user, layout files and cuts. */
 
 import { download, saved } from '../export-dialog.js';
+import { reloadSaved } from '../project-files.js';
 import {
   SIX,
   accessible,
@@ -177,8 +178,7 @@ test('a surprise layout is saved to a file and to My layouts, and loaded again',
   await idle(page);
   expect((await contents(page)).layout).toBe(layout.name);
   expect((await savedLayout(page)).layout).toEqual(layout);
-  await page.reload();
-  await idle(page);
+  await reloadSaved(page);
   await tab(page, 'Layouts');
   await expect(mine.getByRole('option', { name: layout.name })).toBeVisible();
 });

@@ -1,6 +1,7 @@
 // @ts-check
 /** Stacks of look-alikes, the threshold for look-alikes, the order of the photos, and starred photos. */
 
+import { reloadSaved } from '../project-files.js';
 import { add, expect, idle, openBoard, photos, press, sharedBoardTest as test } from '../support.js';
 
 /** @param {import('../support.js').Page} page */
@@ -110,7 +111,6 @@ test('a starred photo gets a panel that is no smaller, and the largest panel aft
     if ((await areaOfCat()) > 0.95 * (await largestOf())) large += 1;
   }
   expect(large).toBeGreaterThanOrEqual(7);
-  await page.reload();
-  await idle(page);
+  await reloadSaved(page);
   await expect(star).toHaveAttribute('aria-pressed', 'true');
 });

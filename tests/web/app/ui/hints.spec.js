@@ -2,6 +2,7 @@
 /** The three hints of the first use: their place, and when they appear and disappear. */
 
 import { covered } from '../../covered.js';
+import { reloadSaved } from '../project-files.js';
 import { accessible, expect, idle, openBoard, press, reach, test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
@@ -74,7 +75,7 @@ test('a hint that was closed does not appear again, until the help shows the hin
   await expect(hint(page, 'Shuffle until you like it')).toBeVisible();
   await page.keyboard.press('Escape');
   await none(page);
-  await page.reload();
+  await reloadSaved(page);
   await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   await press(page, 'Shuffle');
