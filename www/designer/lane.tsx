@@ -53,6 +53,16 @@ export function Lane({
           </label>
         )}
         {layer === 'foreground' && (
+          <label class="lane-setting" title={strings.darkPaperHelp}>
+            <input
+              type="checkbox"
+              checked={draft.dark === true}
+              onChange={(event) => designer.change({ type: 'dark', on: event.currentTarget.checked })}
+            />
+            <span>{strings.darkPaper}</span>
+          </label>
+        )}
+        {layer === 'foreground' && (
           <label class="lane-setting">
             <span>{strings.ink}</span>
             <input

@@ -436,6 +436,8 @@ export type Draft = {
   ink: string,
   /** Whether face protection is off. */
   careless?: boolean,
+  /** Whether pages in this style have dark paper. */
+  dark?: boolean,
   /** The parts of the image that the layers apply to. */
   where?: LayerParts,
 };
@@ -543,6 +545,10 @@ export type DraftEdit = { "type": "add",
 }
 | { "type": "faces",
   /** Whether it does. */
+  on: boolean,
+}
+| { "type": "dark",
+  /** Whether it is dark. */
   on: boolean,
 }
 | { "type": "ink",
@@ -1187,6 +1193,8 @@ export type Style = {
   ink?: string,
   /** Whether faces are protected. Default: true. */
   faces?: boolean,
+  /** Whether pages in this style have dark paper. Default: false. */
+  dark?: boolean,
   /** Score from 0 to 1 of a generated style. */
   score?: number,
 };

@@ -525,6 +525,7 @@ fn draft_edits() -> Vec<Value> {
         { "type": "bypass", "layer": "foreground", "at": 0, "on": true },
         { "type": "name", "name": "One" },
         { "type": "faces", "on": false },
+        { "type": "dark", "on": true },
         { "type": "ink", "ink": "#102030" },
     ]);
     told.as_array().unwrap().clone()

@@ -34,6 +34,9 @@ pub struct Draft {
     /// Whether face protection is off.
     #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub careless: bool,
+    /// Whether pages in this style have dark paper.
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
+    pub dark: bool,
     /// The parts of the image that the layers apply to.
     #[cfg_attr(feature = "typescript", ts(rename = "where", as = "Option<Parts>", optional))]
     pub parts: Parts,
@@ -172,6 +175,11 @@ pub enum DraftEdit {
         /// Whether it does.
         on: bool,
     },
+    /// Chooses dark or white paper for pages in this style.
+    Dark {
+        /// Whether it is dark.
+        on: bool,
+    },
     /// The lines get a colour.
     Ink {
         /// `#rrggbb`.
@@ -228,6 +236,7 @@ impl Draft {
             foreground: Vec::new(),
             ink: BLACK.into(),
             careless: false,
+            dark: false,
             parts: Parts::default(),
             rest: Map::new(),
         }
@@ -271,6 +280,7 @@ impl Draft {
             foreground,
             ink: format!("#{r:02x}{g:02x}{b:02x}"),
             careless: !style.faces,
+            dark: style.dark,
             parts: style.parts,
             rest: Map::new(),
         }
@@ -316,6 +326,9 @@ impl Draft {
         if self.careless {
             file["faces"] = json!(false);
         }
+        if self.dark {
+            file["dark"] = json!(true);
+        }
         file
     }
 
@@ -329,6 +342,7 @@ impl Draft {
         match edit {
             DraftEdit::Name { name } => next.name.clone_from(name),
             DraftEdit::Faces { on } => next.careless = !on,
+            DraftEdit::Dark { on } => next.dark = *on,
             DraftEdit::Ink { ink } => {
                 parse_hex(ink)?;
                 next.ink.clone_from(ink);
@@ -571,6 +585,7 @@ impl DraftEdit {
                 Self::Name { name: name.chars().take(LONGEST_NAME).collect() }
             }
             "faces" => Self::Faces { on: fields.flag("on")? },
+            "dark" => Self::Dark { on: fields.flag("on")? },
             "ink" => Self::Ink { ink: fields.name("ink", LONGEST_ID)? },
             _ => return Err(Wrong::new("is not a known edit").at("type")),
         })
@@ -600,6 +615,7 @@ impl Draft {
             foreground: fields.each("foreground", MOST_BLOCKS, &DraftStep::read)?,
             ink,
             careless: fields.flag("careless")?,
+            dark: fields.flag("dark")?,
             parts: fields.part("where", &mut read_parts)?.unwrap_or_default(),
             rest: fields.rest(),
         }))
@@ -616,6 +632,9 @@ impl Draft {
         out.key("ink").text(&self.ink);
         if self.careless {
             out.key("careless").flag(true);
+        }
+        if self.dark {
+            out.key("dark").flag(true);
         }
         if self.parts != Parts::default() {
             out.key("where").open(b'{');
@@ -787,13 +806,15 @@ mod tests {
             draft.after(&DraftEdit::Set { place: back(0), param: "levels".into(), value: json!(3) }).unwrap();
         let draft = draft.after(&DraftEdit::Bypass { place: back(1), on: true }).unwrap();
         let draft = draft.after(&DraftEdit::Ink { ink: "#102030".into() }).unwrap();
+        let draft = draft.after(&DraftEdit::Dark { on: true }).unwrap();
         let draft = add(&draft, Layer::Foreground, &["to_gray"]);
         let style = draft.style(false);
         let expected = json!({
             "id": "my-1", "name": "Mine", "tags": [], "background": [{ "block": "posterize", "levels": 3 }, { "block": "saturation", "bypass": true }],
-            "foreground": [{ "block": "to_gray" }], "ink": "#102030",
+            "foreground": [{ "block": "to_gray" }], "ink": "#102030", "dark": true,
         });
         assert_eq!(style, expected);
+        assert_eq!(*json::parse(&written(&draft), PROJECT).and_then(Draft::read).unwrap(), draft);
         assert_eq!(Draft::of(&Style::from_value("x", &style).unwrap()).style(false), style);
         let reset = draft.after(&DraftEdit::Reset { place: back(0) }).unwrap();
         assert_eq!(reset.style(false)["background"][0], json!({ "block": "posterize" }));
@@ -812,6 +833,7 @@ mod tests {
         assert_eq!(edited(up(0)), Value::Null);
         let named = edited(json!({ "type": "name", "name": "n".repeat(LONGEST_NAME + 1) }));
         assert_eq!(named["name"].as_str().map(str::len), Some(LONGEST_NAME));
+        assert_eq!(edited(json!({ "type": "dark", "on": true }))["dark"], json!(true));
         assert!(after_json(&draft, r#"{"type":"nothing"}"#).is_err() && after_json("[]", "{}").is_err());
         let begun: Value = serde_json::from_str(&empty_json("my-2", "New")).unwrap();
         assert_eq!(

@@ -43,6 +43,7 @@ pub fn breed(a: &Style, b: &Style, seed: u32, surprise: f64) -> Style {
         parts: Parts { background: first.parts.background, foreground: lines.parts.foreground },
         ink: lines.ink,
         faces: a.faces && b.faces,
+        dark: first.dark,
         score: None,
     }
 }

@@ -38,6 +38,9 @@ pub struct Style {
     /// Whether faces are protected. Default: true.
     #[cfg_attr(feature = "typescript", ts(as = "Option<bool>"))]
     pub faces: bool,
+    /// Whether pages in this style have dark paper. Default: false.
+    #[cfg_attr(feature = "typescript", ts(as = "Option<bool>"))]
+    pub dark: bool,
     /// Score from 0 to 1 of a generated style.
     pub score: Option<f64>,
 }
@@ -95,7 +98,7 @@ impl Style {
             return Err(invalid(file, "file", "must be an object with a \"background\" list"));
         };
         for key in map.keys() {
-            if !["id", "name", "tags", "background", "foreground", "where", "ink", "faces", "score"]
+            if !["id", "name", "tags", "background", "foreground", "where", "ink", "faces", "dark", "score"]
                 .contains(&key.as_str())
             {
                 return Err(invalid(file, key, "is not a field of a style"));
@@ -113,12 +116,8 @@ impl Style {
             foreground: layer(file, map, "foreground")?,
             parts: parts(file, map)?,
             ink: ink(file, map)?,
-            faces: match map.get("faces") {
-                None => true,
-                Some(faces) => {
-                    faces.as_bool().ok_or_else(|| invalid(file, "faces", "must be true or false"))?
-                }
-            },
+            faces: flag(file, map, "faces")?.unwrap_or(true),
+            dark: flag(file, map, "dark")?.unwrap_or(false),
             score: match map.get("score") {
                 None => None,
                 Some(score) => {
@@ -151,6 +150,9 @@ impl Style {
         }
         if !self.faces {
             map.insert("faces".into(), json!(false));
+        }
+        if self.dark {
+            map.insert("dark".into(), json!(true));
         }
         if let Some(score) = self.score {
             map.insert("score".into(), json!(score));
@@ -346,6 +348,14 @@ fn text(file: &str, map: &Map<String, Value>, key: &str) -> Result<Option<String
         None => Ok(None),
         Some(Value::String(text)) if !text.trim().is_empty() && text.len() <= 200 => Ok(Some(text.clone())),
         Some(_) => Err(invalid(file, key, "must be a text of 1 to 200 letters")),
+    }
+}
+
+fn flag(file: &str, map: &Map<String, Value>, key: &str) -> Result<Option<bool>> {
+    match map.get(key) {
+        None => Ok(None),
+        Some(Value::Bool(flag)) => Ok(Some(*flag)),
+        Some(_) => Err(invalid(file, key, "must be true or false")),
     }
 }
 

@@ -110,6 +110,7 @@ pub fn invent(seed: u32) -> Style {
         parts: Parts::default(),
         ink: [0; 3],
         faces: true,
+        dark: false,
         score: None,
     }
 }

@@ -127,8 +127,8 @@ pub(super) fn papered(page: &PageSettings, style: &StyleRef) -> PageSettings {
     let dark = (DARK_PAPER, DARK_BORDER);
     let mut page = page.clone();
     if [light, dark].contains(&(page.paper.as_str(), page.border_color.as_str())) {
-        let id = style.id().unwrap_or_default();
-        let (paper, border) = if tones::is_dark(id) { dark } else { light };
+        let is_dark = style.style().is_ok_and(|style| style.dark);
+        let (paper, border) = if is_dark { dark } else { light };
         page.paper = paper.into();
         page.border_color = border.into();
     }
@@ -230,17 +230,24 @@ mod tests {
 
     #[test]
     fn dark_styles_get_dark_paper_unless_a_person_chose_another() {
-        let drawn = |id: &str, page: &PageSettings| {
+        let drawn = |style: StyleRef, page: &PageSettings| {
             let request =
-                Request { style: Some(id.into()), page: page.clone(), ..request(1, Styling::default()) };
+                Request { style: Some(style), page: page.clone(), ..request(1, Styling::default()) };
             plan(&request).unwrap().page
         };
         let white = PageSettings::default();
         let own = PageSettings { paper: "#f4efe6".into(), ..PageSettings::default() };
-        let dark = drawn("moonlight", &white);
+        let dark = drawn("moonlight".into(), &white);
         assert_eq!(dark.paper, DARK_PAPER);
-        assert_eq!(drawn("moonlight", &own), own);
-        assert_eq!([drawn("comic", &white), drawn("comic", &dark)], [white.clone(), white]);
+        assert_eq!(drawn("moonlight".into(), &own), own);
+        assert_eq!(
+            [drawn("comic".into(), &white), drawn("comic".into(), &dark)],
+            [white.clone(), white.clone()]
+        );
+        let moonlight = StyleRef::from("moonlight");
+        let copy = Style { id: "mine".into(), ..moonlight.style().unwrap().into_owned() };
+        assert_eq!(drawn(StyleRef::of(&copy), &white), dark);
+        assert_eq!(drawn(StyleRef::of(&Style { dark: false, ..copy }), &dark), white);
     }
 
     #[test]

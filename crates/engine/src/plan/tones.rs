@@ -12,7 +12,7 @@ use inkpanel_model::choice::Taste;
 
 /// A line per style, best first: its id, its mark, the luma that it makes of each sixteenth of luma, two
 /// hexadecimal digits each, and its uses. The marks are manual ratings from 0 to 10, on faces, groups and
-/// animals that are not in the repository. `first` is for the first page, `dark` for dark paper. The example
+/// animals that are not in the repository. `first` is for the first page. The example
 /// `style_tones` writes the third column.
 const MARKS: &str = include_str!("marks.txt");
 
@@ -154,12 +154,6 @@ fn is_for(id: &str, wanted: &str) -> bool {
 #[must_use]
 pub fn is_for_first_page(id: &str) -> bool {
     is_for(id, "first")
-}
-
-/// Whether the style is for dark paper.
-#[must_use]
-pub fn is_dark(id: &str) -> bool {
-    is_for(id, "dark")
 }
 
 /// Returns the weight of a custom style.
