@@ -7,7 +7,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
-import { Cuts } from '../page/panels/cuts.tsx';
+import { Cuts, Gutters } from '../page/panels/cuts.tsx';
 import { Insets } from '../page/panels/insets.tsx';
 import { createPainter } from '../page/painter.ts';
 import { Panels } from '../page/panels/panels.tsx';
@@ -94,7 +94,8 @@ export function Stage() {
   // The subject masks of photos are a dependency, if the style uses them.
   const subjects = useSubjectsOf(page);
   useLayoutEffect(() => {
-    if (page && geometry && width > 0) painter.current?.show(page, geometry, pixels, reshaping.editing.peek());
+    if (page && geometry && width > 0)
+      painter.current?.show(page, geometry, pixels, reshaping.editing.peek() || reshaping.dragging.peek());
   }, [page, geometry, pixels, read, drafts, sketch, thumbnails, subjects]);
 
   const next = ahead.page.value;
@@ -128,6 +129,7 @@ export function Stage() {
         <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height, '--zoom': zoom }}>
           <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
           {page && <Originals page={page} width={pixels} />}
+          {page && geometry && ui.wide.value && !reshaping.editing.value && <Gutters />}
           {page && geometry && <Panels page={page} geometry={geometry} />}
           {page && geometry && !reshaping.editing.value && (
             <WordLayer page={page} geometry={geometry} width={width > 0 ? pixels : 0} />

@@ -1,6 +1,6 @@
 /**
  * The cuts of the layout as handles over the page: a cut is dragged, its ends slant it, arrows do both, and so do the
- * tools of the cut that is chosen.
+ * tools of the cut that is chosen. While the layout is not edited, a mouse drags the gutters.
  */
 
 import { useRef } from 'preact/hooks';
@@ -19,20 +19,36 @@ const LARGE_STEP = 0.05;
 
 export function Cuts() {
   const { store } = useApp();
-  const found = store.layoutFacts.value?.cuts ?? [];
-  const rtl = store.page.value?.page.rtl ?? false;
-  const cuts = rtl ? found.map((cut) => ({ ...cut, ...mirrored(cut), ...mirroredEnds(cut) })) : found;
+  const cuts = useCuts();
   const geometry = store.geometry.value;
-  const height = geometry?.height ?? 1;
   const hasInsets = geometry?.panels.some(({ overlay }) => overlay) ?? false;
   return (
     <div class="cuts" role="group" aria-label={strings.cuts}>
       {cuts.map((cut, i) => (
-        <CutHandle key={i} cut={cut} index={i} count={cuts.length} height={height} rtl={rtl} />
+        <CutHandle key={i} cut={cut} index={i} count={cuts.length} />
       ))}
       {cuts.length === 0 && !hasInsets && <p class="cuts-none">{strings.noCuts}</p>}
     </div>
   );
+}
+
+/** The gutters below the panels. Keyboards and fingers use `Edit layout`, where the handles are larger. */
+export function Gutters() {
+  const cuts = useCuts();
+  return (
+    <div class="cuts" aria-hidden="true">
+      {cuts.map((cut, i) => (
+        <Gutter key={i} cut={cut} index={i} />
+      ))}
+    </div>
+  );
+}
+
+/** The cuts as the page shows them. */
+function useCuts(): readonly Cut[] {
+  const { store } = useApp();
+  const found = store.layoutFacts.value?.cuts ?? [];
+  return store.page.value?.page.rtl ? found.map((cut) => ({ ...cut, ...mirrored(cut), ...mirroredEnds(cut) })) : found;
 }
 
 let gestures = 0;
@@ -50,25 +66,13 @@ function mirroredEnds({ axis, from, to }: Cut): Pick<Cut, 'from' | 'to'> {
   return { from: first, to: last };
 }
 
-/** @param props `height` of the page, in its widths; `rtl`: the page is mirrored */
-function CutHandle({
-  cut,
-  index,
-  count,
-  height,
-  rtl,
-}: {
-  cut: Cut;
-  index: number;
-  count: number;
-  height: number;
-  rtl: boolean;
-}) {
-  const { reshaping } = useApp();
+/** Moves a cut with the pointer. */
+function useCutDrag(cut: Cut, index: number) {
+  const { store, reshaping } = useApp();
+  const rtl = store.page.value?.page.rtl ?? false;
   const move = (to: Slant, gesture: string) =>
     reshaping.moveCut(index, rtl ? mirrored({ axis: cut.axis, ...to }) : to, gesture);
   const grip = useRef(null as Grip | null);
-  const keys = useRef('');
   const ref = useRef(null as HTMLDivElement | null);
 
   function take(event: PointerEvent, end: End) {
@@ -78,6 +82,7 @@ function CutHandle({
     ref.current?.setPointerCapture(event.pointerId);
     gestures += 1;
     grip.current = { id: event.pointerId, x: event.clientX, y: event.clientY, cut, end, name: `cut-${gestures}` };
+    reshaping.dragging.value = true;
   }
 
   function drag(event: PointerEvent) {
@@ -91,7 +96,42 @@ function CutHandle({
 
   function release() {
     grip.current = null;
+    reshaping.dragging.value = false;
   }
+
+  const on = { onPointerMove: drag, onPointerUp: release, onPointerCancel: release };
+  return { ref, move, take, on };
+}
+
+/** The place of a cut on the page. */
+function useCutPlace({ from: [x1, y1], to: [x2, y2] }: Cut) {
+  const height = useApp().store.geometry.value?.height ?? 1;
+  return {
+    left: `${(x1 + x2) * 50}%`,
+    top: `${((y1 + y2) * 50) / height}%`,
+    width: `${Math.hypot(x2 - x1, y2 - y1) * 100}%`,
+    rotate: `${Math.atan2(y2 - y1, x2 - x1)}rad`,
+  };
+}
+
+function Gutter({ cut, index }: { cut: Cut; index: number }) {
+  const { ref, take, on } = useCutDrag(cut, index);
+  return (
+    <div
+      ref={ref}
+      class="cut gutter"
+      data-axis={cut.axis}
+      style={useCutPlace(cut)}
+      onPointerDown={(event) => take(event, 'both')}
+      {...on}
+    />
+  );
+}
+
+function CutHandle({ cut, index, count }: { cut: Cut; index: number; count: number }) {
+  const { reshaping } = useApp();
+  const { ref, move, take, on } = useCutDrag(cut, index);
+  const keys = useRef('');
 
   function press(event: KeyboardEvent) {
     const way = wayOf(event.key, cut.axis, event.altKey);
@@ -104,9 +144,6 @@ function CutHandle({
     move(event.altKey ? { fraction, slant: slant + 2 * step } : { fraction: fraction + step, slant }, keys.current);
   }
 
-  const [[x1, y1], [x2, y2]] = [cut.from, cut.to];
-  const length = Math.hypot(x2 - x1, y2 - y1);
-  const angle = Math.atan2(y2 - y1, x2 - x1);
   return (
     <div
       ref={ref}
@@ -122,19 +159,12 @@ function CutHandle({
       aria-description={strings.cutKeys}
       data-axis={cut.axis}
       data-chosen={reshaping.cut.value === index}
-      style={{
-        left: `${(x1 + x2) * 50}%`,
-        top: `${((y1 + y2) * 50) / height}%`,
-        width: `${length * 100}%`,
-        rotate: `${angle}rad`,
-      }}
+      style={useCutPlace(cut)}
       onFocus={() => {
         reshaping.cut.value = index;
       }}
       onPointerDown={(event) => take(event, 'both')}
-      onPointerMove={drag}
-      onPointerUp={release}
-      onPointerCancel={release}
+      {...on}
       onKeyDown={press}
       // A held key is one step of the undo.
       onKeyUp={() => {

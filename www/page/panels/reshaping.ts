@@ -19,6 +19,8 @@ export function createReshaping({ store, pages, seed }: { store: Store; pages: P
   return {
     /** Whether the cuts show their handles. */
     editing: signal(false),
+    /** Whether a cut is dragged. */
+    dragging: signal(false),
     /** The cut that was chosen last, by its place in the facts of the layout. */
     cut: signal(null) as Signal<number | null>,
     surprise,
