@@ -16,6 +16,7 @@ use crate::layout::Bounds;
 use crate::raster::Image;
 use crate::raster::balance::{Balance, is_gray, toned};
 use crate::raster::enlarge::enlarged;
+use crate::raster::fill_light::FillLight;
 use crate::raster::grain::without_grain;
 use crate::raster::resize::{Region, resample_image};
 use crate::style::faces::FaceBox;
@@ -206,6 +207,9 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
             panel.faces.iter().map(|face| [face.x, face.y, face.width, face.height]).collect();
         if let Some(balance) = Balance::of(photo, &faces) {
             balance.apply(&mut image);
+        }
+        if let Some(light) = FillLight::of(photo) {
+            light.apply(&mut image);
         }
     }
     if panel.toned && !panel.plain && scene.style.keeps_colours() && is_gray(photo) {

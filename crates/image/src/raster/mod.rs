@@ -15,6 +15,7 @@ pub mod decode;
 pub mod enlarge;
 #[cfg(feature = "decode")]
 mod exif;
+pub mod fill_light;
 #[cfg(feature = "rare")]
 mod gif;
 pub mod grain;
