@@ -280,6 +280,20 @@ mod tests {
     }
 
     #[test]
+    fn the_outer_people_of_a_group_keep_their_shoulders() {
+        let faces = [0.2, 0.32, 0.44, 0.56, 0.68].map(|x| subject(FACE, x, 0.3, 0.06, 0.11));
+        for aspect in [1.1, 1.3, 1.6] {
+            let crop = frame(&photo(4000, 3000, faces.to_vec()), &Target::of_aspect(aspect), 0);
+            let beside = [0.2 - crop.x, crop.x + crop.width - 0.74];
+            assert!(beside.iter().all(|room| *room >= 0.8 * 0.06), "{aspect}: {beside:?} {crop:?}");
+        }
+        // A photo that ends beside a face has no more room.
+        let faces = [0.01, 0.2, 0.4].map(|x| subject(FACE, x, 0.3, 0.08, 0.14));
+        let crop = frame(&photo(4000, 3000, faces.to_vec()), &Target::of_aspect(1.0), 0);
+        assert!(faces.iter().all(|face| keeps(&crop, face)), "{crop:?}");
+    }
+
+    #[test]
     fn a_class_photo_has_no_cut_heads() {
         // Three rows of eight, the back rows smaller.
         let heads: Vec<Subject> = (0..24)

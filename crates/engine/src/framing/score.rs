@@ -23,7 +23,7 @@ const LEAST_KEPT: f64 = 0.44;
 /// Height of a recognisable main face in heights of the crop. The crop then shows a figure from the knees up.
 const FACE_HEIGHT: f64 = 0.2;
 /// Value of a main face of that height.
-const FACE_VALUE: f64 = 1.1;
+const FACE_VALUE: f64 = 1.7;
 /// Minimum part of a photo in a crop near a small face, and the width in pixels below which the crop becomes soft.
 const CLOSE_KEPT: f64 = 0.1;
 const CLOSE_WIDTH: f64 = 400.0;
@@ -44,6 +44,9 @@ const CRAMPED: f64 = 0.8;
 const CENTRED: (f64, f64) = (0.08, 0.17);
 /// Cost of more distance, in widths of the crop.
 const ASIDE: f64 = 1.5;
+/// Room for a shoulder on each side of a face, in widths of the face, and the cost of a face without it.
+const SHOULDER: f64 = 1.0;
+const SHOULDER_COST: f64 = 0.6;
 /// Cost of a person whose head the photo cuts.
 const HEADLESS_COST: f64 = 1.5;
 /// Cost of one edge through an area of average energy.
@@ -181,6 +184,7 @@ impl<'a> Judge<'a> {
         }
         let (mut cover, mut size, mut cut, mut off_line) = (0.0, 0.0f64, 0.0, 0.0f64);
         let mut cramped = None;
+        let mut narrow = 0.0f64;
         let (mut faces, mut off_middle) = (0, 0.0f64);
         let mut face_height = 0.0f64;
         for (((area, subject), weight), role) in self.view.subjects.iter().zip(&self.weights).zip(&self.roles)
@@ -191,6 +195,7 @@ impl<'a> Judge<'a> {
             cover += shown * weight / total;
             if *role == Role::Face && inside > 0.9 {
                 face_height = face_height.max(area.height / crop.height);
+                narrow = narrow.max(self.lacks_shoulder(crop, *area));
             }
             // A medium shot shows a part of a body.
             if inside > 0.9 || *role == Role::Body && inside >= MEDIUM.0 {
@@ -226,6 +231,18 @@ impl<'a> Judge<'a> {
             - 0.4 * off_line
             - CRAMPED * cramped.unwrap_or(0.0)
             - ASIDE * aside
+            - SHOULDER_COST * narrow
+    }
+
+    /// The part of a shoulder beside a face that a crop leaves out, 0 to 1, on the side that lacks more. What is outside
+    /// the photo does not count.
+    fn lacks_shoulder(&self, crop: Area, face: Area) -> f64 {
+        let lacks = |seen: f64, there: f64| {
+            let wanted = (SHOULDER * face.width).min(there);
+            (wanted - seen).max(0.0) / (SHOULDER * face.width)
+        };
+        let (right, end) = (face.x + face.width, crop.x + crop.width);
+        lacks(face.x - crop.x, face.x).max(lacks(end - right, self.view.width - right))
     }
 
     /// The part of a subject that the panel shows.
