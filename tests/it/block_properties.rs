@@ -143,21 +143,34 @@ fn percentile(image: &Image, percent: f64) -> f64 {
     f64::from(luma[rank - 1])
 }
 
+/// A tone with a knee at the end of the range: the hyperbola through (start, start) with slope 1 and through (most, 1).
+fn bent(v: f64, most: f64, knee: f64) -> f64 {
+    let start = 1.0 - knee;
+    let (x, end) = (v - start, most - start);
+    if x <= 0.0 || most <= 1.0 { v } else { start + knee * x * end / (knee * end + x * (end - knee)) }
+}
+
 /// The percentile blocks follow their formulas without SIMD, at every width.
 #[test]
 fn tones_are_stretched_as_the_formulas_say_at_every_width() {
     for (id, values) in [
-        ("equalize", [5.0, 95.0]),
-        ("equalize", [20.0, 60.5]),
-        ("dynamic_range", [128.0, 0.0]),
-        ("dynamic_range", [250.0, 0.0]),
+        ("equalize", [5.0, 95.0, 0.0]),
+        ("equalize", [20.0, 60.5, 0.0]),
+        ("equalize", [20.0, 60.5, 30.0]),
+        ("dynamic_range", [128.0, 0.0, 0.0]),
+        ("dynamic_range", [250.0, 0.0, 0.0]),
     ] {
         let block = inkpanel_engine::style::blocks::find(id).unwrap();
         for width in 1..=67 {
             for image in inputs(block, width, 3) {
                 let stretch: Box<dyn Fn(f64) -> f64> = if id == "equalize" {
-                    let [low, high] = values.map(|percent| percentile(&image, percent));
-                    Box::new(move |v| if high > low { (v - low) * 255.0 / (high - low) } else { v })
+                    let [low, high] = [values[0], values[1]].map(|percent| percentile(&image, percent));
+                    let bend = move |v: f64, most: f64| bent(v, most, values[2] / 100.0);
+                    let part = move |v: f64| (v - low) / (high - low);
+                    Box::new(move |v| {
+                        let upper = bend(part(v), part(255.0));
+                        if high > low { 255.0 * (1.0 - bend(1.0 - upper, 1.0 - part(0.0))) } else { v }
+                    })
                 } else {
                     let ([low, high], range) =
                         ([5.0, 95.0].map(|percent| percentile(&image, percent)), values[0]);
@@ -168,7 +181,7 @@ fn tones_are_stretched_as_the_formulas_say_at_every_width() {
                 let mut numbers = values.map(|value| value as f32).to_vec();
                 if id == "equalize" {
                     // Tested per channel, because luma is rounded separately.
-                    numbers.push(1.0);
+                    numbers.insert(2, 1.0);
                 }
                 let out = run(block, &numbers[..block.params.len()], &image, &mut Context::default());
                 for (out, before) in out.planes().iter().zip(image.planes()) {

@@ -89,9 +89,11 @@ def soft_threshold(image, phi, epsilon, channels="each"):
     return working_on(channels, image, lambda v: 255 * (1 + np.tanh(np.minimum(0, phi * (v - epsilon)))))
 
 
-def saturation(image, amount):
+def saturation(image, amount, spare=0):
     y = (image @ WEIGHTS)[..., None]
-    return y + amount * (image - y)
+    strength = np.ptp(image, axis=-1, keepdims=True) / 255
+    change = max(amount - 1, 0) * (1 - spare / 100 * strength) + min(amount - 1, 0)
+    return y + (1 + change) * (image - y)
 
 
 def hue(image, angle, red, green, blue):
@@ -220,9 +222,18 @@ def detail(image, delta, sigma_s, sigma_r):
     return image + delta / 100 * (image - base)
 
 
-def equalize(image, low, high, channels="luma"):
+def equalize(image, low, high, channels="luma", knee=0):
     low, high = percentiles(image if image.ndim == 2 else to_u8(image @ WEIGHTS), low, high)
-    return working_on(channels, image, lambda v: (v - low) * 255 / (high - low)) if high > low else image
+    tones = (np.arange(256) - low) / (high - low)
+    # The knee is the hyperbola through the start of the knee, with slope 1, and through the tone of white.
+    part = knee / 100
+    for _ in range(2 if part else 0):
+        tones = 1 - tones[::-1]
+        far = (tones.max() - 1 + part) / part
+        away = (tones - 1 + part) / part
+        bent = 1 - part + part * away * far / (far + away * (far - 1))
+        tones = np.where((away > 0) & (far > 1), bent, tones)
+    return working_on(channels, image, lambda v: 255 * np.interp(v, np.arange(256), tones)) if high > low else image
 
 
 def dynamic_range(image, range):
@@ -257,6 +268,7 @@ CASES = [
     *[(soft_threshold, LUMA, {"phi": phi, "epsilon": e}) for phi, e in ((0.013, 50), (0.03, 80), (0.5, 120))],
     *[(soft_threshold, COLOR, {"phi": 0.03, "epsilon": 130, "channels": c}) for c in ("each", "luma")],
     *[(saturation, COLOR, {"amount": amount}) for amount in (0, 0.4, 1.5, 4)],
+    *[(saturation, COLOR, {"amount": amount, "spare": spare}) for amount, spare in ((0.4, 50), (1.6, 60), (4, 100))],
     *[(hue, COLOR, {"angle": a, "red": r, "green": 0, "blue": b}) for a, r, b in ((30, 0, 0), (-120, 40, -25))],
     *[(colorize, LUMA, {"hue": h, "saturation": s}) for h, s in ((30, 0.5), (200, 1), (300, 0.25))],
     *[(gaussian, LUMA, {"sigma": sigma}) for sigma in (0.3, 0.5, 1, 2, 2.9, 3, 3.1, 6, 12, 25, 50)],
@@ -273,6 +285,8 @@ CASES = [
     *[(detail, LUMA, {"delta": d, "sigma_s": s, "sigma_r": r}) for d, s, r in ((-100, 8, 25), (-100, 4, 40), (60, 8, 25))],
     *[(equalize, source, {"low": lo, "high": hi}) for source, lo, hi in ((LUMA, 5, 95), (LUMA, 20, 60), (COLOR, 5, 95))],
     (equalize, COLOR, {"low": 5, "high": 95, "channels": "each"}),
+    *[(equalize, LUMA, {"low": 10, "high": 80, "knee": knee}) for knee in (15, 50)],
+    (equalize, COLOR, {"low": 20, "high": 80, "channels": "each", "knee": 25}),
     *[(dynamic_range, LUMA, {"range": range_}) for range_ in (128, 250)],
     *[(flow_lines, LUMA, FLOW | more) for more in ({}, {"tone": 80, "epsilon": 120, "p": 20}, {"sigma": 3, "shortest": 0})],
     *[(kuwahara, LUMA, {"radius": r, "sharpness": 70, "stretch": 70, "passes": 1}) for r in (5, 10)],
