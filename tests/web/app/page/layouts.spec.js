@@ -257,6 +257,28 @@ test('a cut is moved by mouse and keyboard, and the PNG file shows it', async ({
   expect(layout.tree.slants[0]).toBeCloseTo(0.02, 3);
 });
 
+test('the mouse drags a gutter of a page that is not edited, as one undo step', async ({ page }) => {
+  await openBoard(page);
+  await choose(page, 'grid', 'Three thirds');
+  const gutter = page.locator('.gutter').first();
+  const middle = async () => {
+    const box = await gutter.boundingBox();
+    return { x: (box?.x ?? 0) + (box?.width ?? 0) / 2, y: (box?.y ?? 0) + (box?.height ?? 0) / 2 };
+  };
+  const start = await middle();
+  await page.mouse.move(start.x, start.y);
+  await page.mouse.down();
+  await page.mouse.move(start.x, start.y + 40, { steps: 4 });
+  await page.mouse.up();
+  await idle(page);
+  expect((await middle()).y).toBeCloseTo(start.y + 40, -1);
+  await press(page, 'Undo');
+  expect((await middle()).y).toBeCloseTo(start.y, 0);
+  // A panel is not below a gutter.
+  await page.getByRole('group', { name: 'Panel 1 of 3' }).click();
+  await expect(page.getByRole('toolbar', { name: 'Panel tools' })).toBeVisible();
+});
+
 test('an inset is moved and sized by mouse, keyboard and tools, one undo step each', async ({ page }) => {
   await openBoard(page);
   await choose(page, 'inset', 'Inset');
