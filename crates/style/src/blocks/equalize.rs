@@ -2,9 +2,9 @@
 //! CDF); unchanged where they meet. For a colour image, either only luma is stretched, as in the paper, or
 //! each channel, which makes colours stronger.
 //!
-//! A knee compresses tones at both ends instead of cutting them off: beyond 1 - k of the range, the distance x from there,
-//! in parts of k, becomes x / (1 + x (1 - 1 / X)), where X is the distance of 0 or 255. So the slope is steady, and 0 and
-//! 255 are reached.
+//! A knee compresses tones at both ends instead of cutting them off. It begins at 1 - k of the range. The distance x from
+//! there, in parts of k, becomes x / (1 + x (1 - 1 / X)), where X is the distance of 0 or 255. The slope is steady, and 0
+//! and 255 are reached.
 
 use super::{Block, Channels, Kernel};
 use crate::params::{Gaps, Unit, channels, number};
