@@ -27,6 +27,7 @@ export function Tray() {
   const verdicts = store.verdicts.value;
   const reading = store.reading.value;
   const kept = tray.filter((item) => isUsed(item, verdicts));
+  const excluded = tray.length - kept.length;
   const all = stacks(tray, verdicts);
   const open = all.get(ui.stack.value ?? '') ?? [];
   const first = open.find((item) => isUsed(item, verdicts))?.id;
@@ -54,8 +55,8 @@ export function Tray() {
     >
       <header class="section-head">
         <h2>{strings.photos}</h2>
-        <span class="count">
-          {kept.length === tray.length ? tray.length : strings.photoCount({ used: kept.length, all: tray.length })}
+        <span class="count" title={excluded > 0 ? strings.excludedCount({ n: excluded }) : undefined}>
+          {excluded === 0 ? tray.length : strings.photoCount({ used: kept.length, all: tray.length })}
         </span>
         {!ui.wide.value && <ActionButton action={actions.photos.subjects} />}
         <ActionButton action={actions.photos.add} />
