@@ -166,7 +166,7 @@ test('keyboard: a style is built, saved, and edited after a reload', async ({ pa
   await page.keyboard.press('Alt+ArrowUp');
   expect(await names(page)).toEqual(['Saturation', 'Posterization']);
   await expect(cards(page).first()).toBeFocused();
-  const slider = cards(page).first().getByRole('slider');
+  const slider = cards(page).first().getByRole('slider', { name: 'Amount' });
   const before = await preview(page);
   await slider.focus();
   for (let i = 0; i < 5; i += 1) await page.keyboard.press('ArrowRight');
