@@ -74,6 +74,7 @@ export async function fakeParts(): Promise<App> {
       ui,
       album: { title: () => '', moments: () => new Map() },
       settled: (page) => page,
+      cleared: (page) => page,
     }),
     lettering: createLettering({ store, messages, selection, load: () => new Promise(() => {}), scheduler }),
     ownLayouts: createOwnLayouts({ store, pages, messages }),

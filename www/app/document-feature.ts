@@ -26,7 +26,8 @@ export const documentFeature: Feature<Parts> = {
     const pages = createPages(store, {
       asked: (wish) => app.taste.asked(app.styling.asked(wish)),
       narrated: (page, at) => app.narrating.narrated(page, at),
-      settled: (page, before) => app.lettering.settled(page, undefined, before),
+      settled: (page, before) =>
+        page === before ? app.lettering.cleared(page) : app.lettering.settled(page, undefined, before),
       shuffled: () => app.hints.shuffled(),
     });
     return { store, pages };

@@ -37,6 +37,7 @@ export const letteringFeature: Feature<Parts> = {
         album: app.reading,
         placed: app.placeNames.marked,
         settled: lettering.settled,
+        cleared: lettering.cleared,
       }),
       subtitling: createSubtitling({ ...app, lettering }),
       filmSounds: createFilmSounds({ ...app, lettering }),

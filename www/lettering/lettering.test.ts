@@ -21,11 +21,15 @@ let turns: number[] = [];
 /** Whether text items fit where they are. */
 let fits = false;
 
+/** Whether text items that the user placed cover a face, so that they move. */
+let onFace = false;
+
 /** A simple model of the core: automatic items go to a quarter of their panel, and all are a tenth of the page wide. */
 const letters = {
   settle: ({ words }: any, photos: Record<string, KnownPhoto>) => {
     asked.push(photos);
-    return words.map((word: Word) => (word.auto ? { ...word, x: 0.25, y: 0.25, tail: null } : word));
+    const moved = (word: Word) => (onFace ? { ...word, x: 0.4 } : word);
+    return words.map((word: Word) => (word.auto ? { ...word, x: 0.25, y: 0.25, tail: null } : moved(word)));
   },
   stay: ({ words }: any, _photos: Record<string, KnownPhoto>, index: number) =>
     fits && words[index].auto ? words : null,
@@ -46,6 +50,7 @@ beforeEach(async () => {
   asked = [];
   turns = [];
   fits = false;
+  onFace = false;
   const app = fakeApp({}, { settled: (page) => lettering.settled(page) });
   ({ store, pages, messages } = app);
   selection = createSelection({ store });
@@ -397,5 +402,35 @@ describe('words', () => {
     expect(app.messages.list.value.at(-1)?.text).toContain('offline');
     expect(failing.words.value).toEqual([]);
     expect(failing.loading.value).toBe(false);
+  });
+});
+
+describe('text that the user placed', () => {
+  const own = { kind: 'balloon', text: 'Mine', panel: 0, auto: true, x: 0.7, y: 0.7 } as const;
+  const titled = { kind: 'caption', text: 'Sintra', panel: 0, auto: true, made: true, x: 0.7, y: 0.7 } as const;
+  const placesOf = (page: PageDocument | null) => page?.words?.map(({ x, auto }) => [x, auto]);
+
+  test('stays when a photo was analysed again, unless it covers a face, and other text is placed again', async () => {
+    await lettering.ready();
+    const page = { ...(store.page.value as PageDocument), words: [own, titled] };
+    expect(placesOf(lettering.cleared(page))).toEqual([
+      [0.7, true],
+      [0.25, true],
+    ]);
+    onFace = true;
+    expect(placesOf(lettering.cleared(page))).toEqual([
+      [0.4, true],
+      [0.25, true],
+    ]);
+  });
+
+  test('stays when the glyphs are loaded after another page was planned ahead', async () => {
+    const page = store.page.value as PageDocument;
+    const ahead = { ...page, panels: [...page.panels].reverse(), words: [own] };
+    expect(lettering.settled(ahead)).toBe(ahead);
+    store.change({ type: 'change-page', page: { ...page, words: [own] } });
+    await lettering.ready();
+    await Promise.resolve();
+    expect([placesOf(store.page.value), asked.length]).toEqual([[[0.7, true]], 0]);
   });
 });

@@ -93,6 +93,7 @@ export function createLettering({
     loading: planning.loading,
     ready,
     settled,
+    cleared: planning.cleared,
     on: planning.on,
     choose,
     add,

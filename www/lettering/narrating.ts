@@ -13,7 +13,7 @@ export type Narrating = ReturnType<typeof createNarrating>;
 
 /**
  * @param app `album`: the title of the album, and when and where its photos were taken; `placed` marks text with place names;
- * `settled` places text
+ * `settled` places text, `cleared` the text of a page whose photos were analysed again
  */
 export function createNarrating({
   store,
@@ -21,12 +21,14 @@ export function createNarrating({
   album,
   placed = (page) => page,
   settled,
+  cleared,
 }: {
   store: Store;
   ui: Pick<Ui, 'narrates' | 'narrate' | 'showPlaces'>;
   album: { title: () => string; moments: () => Map<string, Moment> };
   placed?: (page: PageDocument) => PageDocument;
   settled: (page: PageDocument, only: readonly number[]) => PageDocument;
+  cleared: (page: PageDocument) => PageDocument;
 }) {
   return { narrated, turn, turnPlaces, avoidFaces, renew };
 
@@ -47,9 +49,8 @@ export function createNarrating({
   /** Moves text off faces that were detected after it was placed. Text that the user moved stays. */
   function avoidFaces() {
     const page = store.page.peek();
-    const free = (page?.words ?? []).flatMap(({ auto }, i) => (auto === false ? [] : [i]));
-    if (!page || free.length === 0) return;
-    const moved = settled(page, free);
+    if (!page) return;
+    const moved = cleared(page);
     if (JSON.stringify(moved.words) !== JSON.stringify(page.words))
       setWords(store, [{ at: store.project.peek().at, page: moved }], { silent: true });
   }

@@ -36,8 +36,11 @@ export function createWordPlanning({
   const words = computed(() => store.page.value?.words ?? none);
   /** The text items after the last change. */
   const rested = signal(none);
-  /** A page was planned before the glyphs were loaded: its text items still have the positions of another page. */
-  let owed = false;
+  /**
+   * Pages that were planned before the glyphs were loaded: their text items still have the positions of another page. One of
+   * them may be the page now, or none, as pages are also planned ahead.
+   */
+  const owed: Set<string> = new Set();
 
   let stop = new AbortController();
   effect(() => {
@@ -53,7 +56,7 @@ export function createWordPlanning({
   // A page that is opened with text, from a file or an earlier session, needs the glyphs too. Its text items do not
   // move, even if detection has found more.
   effect(() => {
-    if (words.value.length > 0 && !letters.value) void ready().then((table) => table && owed && settle(true));
+    if (words.value.length > 0 && !letters.value) void ready().then((table) => table && settleOwed());
   });
   // Text items that came with a photo, or that were added to all pages, have no position yet. Placing them is not a
   // separate undo step.
@@ -74,7 +77,7 @@ export function createWordPlanning({
     });
   });
 
-  return { words, letters, loading: loading as ReadonlySignal<boolean>, rested, ready, settled, stayed, on };
+  return { words, letters, loading: loading as ReadonlySignal<boolean>, rested, ready, settled, cleared, stayed, on };
 
   /** @returns null if the glyphs cannot be loaded, which is reported */
   async function ready(): Promise<Letters | null> {
@@ -109,7 +112,7 @@ export function createWordPlanning({
     if (!again && !all.some(({ auto }, i) => auto !== false && !stays(i))) return page;
     if (all.length === 0) return page;
     if (!table) {
-      owed = true;
+      owed.add(keyOf(page));
       return page;
     }
     const fixed = all.map((word, i) => (stays(i) ? { ...word, auto: false } : word));
@@ -126,16 +129,35 @@ export function createWordPlanning({
   function stayed(page: PageDocument, index: number, before: WordBox, isAlone: boolean): PageDocument | null {
     const words = letters.peek()?.stay(page, knownOn(page), index, before);
     if (words) return { ...page, words };
-    return isAlone && page.words?.[index].auto !== false ? moved(page, index) : null;
+    if (!isAlone || page.words?.[index].auto === false) return null;
+    // Its earlier room may be too small for its text.
+    const roomless = (page.words ?? []).map((word, i) => (i === index ? { ...word, room: undefined } : word));
+    return offFaces({ ...page, words: roomless }, [index]);
   }
 
-  /** Returns a page with an automatic text item moved off faces, like one that the user placed. */
-  function moved(page: PageDocument, index: number): PageDocument | null {
+  /**
+   * Returns a page whose photos were analysed again: automatic text that the user did not write is placed again, and text of
+   * the user moves only if it covers a face. So a page that is opened again looks as it did.
+   */
+  function cleared(page: PageDocument): PageDocument {
+    const words = page.words ?? [];
+    const free = [...words.keys()].filter((i) => words[i].auto !== false);
+    const isOwn = (i: number) => !words[i].made && words[i].cue === undefined;
+    const others = free.filter((i) => !isOwn(i));
+    const placed = others.length > 0 ? settled(page, others) : page;
+    return free.some(isOwn) ? (offFaces(placed, free.filter(isOwn)) ?? placed) : placed;
+  }
+
+  /**
+   * Returns a page with automatic text items moved off faces, like those that the user placed. Others stay. Null without
+   * glyphs.
+   */
+  function offFaces(page: PageDocument, only: readonly number[]): PageDocument | null {
     const all = page.words ?? [];
-    // Its earlier room may be too small for its text.
-    const fixed = all.map((word, i) => ({ ...word, auto: false, ...(i === index && { room: undefined }) }));
+    const fixed = all.map((word) => ({ ...word, auto: false }));
     const words = letters.peek()?.settle({ ...page, words: fixed }, knownOn(page), true);
-    return words ? { ...page, words: all.map((word, i) => (i === index ? { ...words[i], auto: true } : word)) } : null;
+    if (!words) return null;
+    return { ...page, words: all.map((word, i) => (only.includes(i) ? { ...words[i], auto: word.auto } : word)) };
   }
 
   /** The subjects and masks of the photos of a page, by their ids. */
@@ -160,13 +182,19 @@ export function createWordPlanning({
     return !page.words?.length && own.length === 0 ? page : settled({ ...page, words: own });
   }
 
-  function settle(silent: boolean) {
-    owed = false;
+  function settleOwed() {
     const page = store.page.peek();
-    const next = page && settled(page);
-    if (next && JSON.stringify(next.words) !== JSON.stringify(page.words))
-      setWords(store, [{ at: store.project.peek().at, page: next }], { silent });
+    const next = page && owed.has(keyOf(page)) ? settled(page) : null;
+    owed.clear();
+    if (next && JSON.stringify(next.words) !== JSON.stringify(page?.words))
+      setWords(store, [{ at: store.project.peek().at, page: next }], { silent: true });
   }
+}
+
+/** Tells pages with text apart, also after the core stored them. */
+function keyOf({ layout, panels, words = [] }: PageDocument): string {
+  const id = typeof layout === 'string' ? layout : layout.id;
+  return JSON.stringify([id, panels.map(({ photo }) => photo), words.map(({ text, panel }) => [text, panel])]);
 }
 
 /** Gives pages the text items of other versions of them. */
