@@ -3,7 +3,7 @@
 use super::document::{Document, MOST_FACES, PanelContent};
 use super::reference::LayoutRef;
 use super::request::Request;
-use crate::framing::{Crop, PhotoMeta, Subject, Target, frame};
+use crate::framing::{Crop, FACE, PhotoMeta, Subject, Target, frame};
 use crate::json::Writer;
 use crate::layout::{FAMILIES, ResolvedPanel, Template, resolve};
 use crate::order::sort_by;
@@ -13,6 +13,13 @@ use crate::plan::{Assignment, Candidate, Slot};
 
 /// Difference of two aspect ratios, as a logarithm, at which a photo counts as whole.
 const ALIKE: f64 = 0.02;
+
+/// Width of a face in widths of its person, and its distance from the top in heights of the face: medians of 177 persons of
+/// six albums are 0.31 and 0.57. A larger box covers more of the heads that are not in the middle.
+const IN_PERSON: (f64, f64) = (0.38, 0.4);
+/// Minimum score of a person without a known face, and heights of the face relative to the largest known one.
+const CERTAIN: f64 = 0.5;
+const OF_THE_GROUP: (f64, f64) = (0.4, 1.6);
 
 /// A layout that may become the page.
 pub(super) struct Stage {
@@ -161,11 +168,14 @@ pub fn framed_json<'p>(photos: impl Iterator<Item = &'p PhotoMeta>, aspect: f64)
     out.finish()
 }
 
-/// The faces of a photo, or its animals if it has no faces, the largest first.
+/// The faces of a photo, or its animals if it has no faces, the largest first. Beside known faces, also the heads of persons
+/// whose faces were not found.
 pub(super) fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
     // Rounded to the precision of a pixel, because a project has many crops.
     let rounded = |part: f64| (part.clamp(-1.0, 2.0) * 1e4).round() / 1e4;
     let mut faces: Vec<Crop> = Subject::protected(&photo.subjects)
+        .map(|face| Crop { x: face.x, y: face.y, width: face.width, height: face.height })
+        .chain(supposed_faces(photo))
         .map(|face| Crop {
             x: rounded(face.x),
             y: rounded(face.y),
@@ -177,6 +187,27 @@ pub(super) fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
     sort_by(&mut faces, |a, b| b.height.total_cmp(&a.height));
     faces.truncate(MOST_FACES);
     faces
+}
+
+/// Where the faces of persons without a known face should be, in a photo with faces. A face that is much smaller or larger
+/// than the largest known one belongs to a passer-by or to a false detection.
+fn supposed_faces(photo: &PhotoMeta) -> Vec<Crop> {
+    let faces: Vec<&Subject> = photo.subjects.iter().filter(|subject| subject.label == FACE).collect();
+    let Some(largest) = faces.iter().map(|face| face.height).reduce(f64::max) else { return Vec::new() };
+    let shape = faces.iter().map(|face| face.width / face.height).sum::<f64>() / faces.len() as f64;
+    let unknown = |person: &&Subject| {
+        person.label == "person"
+            && person.score >= CERTAIN
+            && !photo.is_headless(person)
+            && !faces.iter().any(|face| person.surrounds(face))
+    };
+    let face = |person: &Subject| {
+        let width = IN_PERSON.0 * person.width;
+        let height = width / shape;
+        Crop { x: person.x + (person.width - width) / 2.0, y: person.y + IN_PERSON.1 * height, width, height }
+    };
+    let is_alike = |face: &Crop| (OF_THE_GROUP.0..=OF_THE_GROUP.1).contains(&(face.height / largest));
+    photo.subjects.iter().filter(unknown).map(face).filter(is_alike).collect()
 }
 
 /// The first panel of the group of `panel`.

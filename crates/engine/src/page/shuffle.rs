@@ -317,6 +317,39 @@ mod tests {
     }
 
     #[test]
+    fn a_person_beside_a_known_face_has_a_supposed_face() {
+        let subject = |label: &str, [x, y, width, height]: [f64; 4]| Subject {
+            x,
+            y,
+            width,
+            height,
+            label: label.to_owned(),
+            score: 0.9,
+            points: None,
+            expression: None,
+            light: None,
+        };
+        let known = subject("face", [0.2, 0.3, 0.06, 0.08]);
+        let faces = |others: &[Subject]| {
+            let mut request = request(8, 3);
+            for photo in &mut request.photos {
+                photo.find(others.iter().cloned());
+            }
+            plan(&request).unwrap().panels[0].faces.clone()
+        };
+        let person = subject("person", [0.14, 0.25, 0.2, 0.7]);
+        let neighbour = subject("person", [0.5, 0.3, 0.2, 0.65]);
+        let passer_by = subject("person", [0.9, 0.4, 0.03, 0.1]);
+        let found = faces(&[known.clone(), person.clone(), neighbour.clone(), passer_by.clone()]);
+        assert_eq!(found.len(), 2, "{found:?}");
+        let supposed = found.iter().find(|face| face.x > 0.4).unwrap();
+        assert!((supposed.x + supposed.width / 2.0 - 0.6).abs() < 1e-3, "{supposed:?}");
+        assert!(supposed.y > 0.3 && supposed.y + supposed.height < 0.5, "{supposed:?}");
+        // Without a known face, the sizes of faces are not known.
+        assert!(faces(&[person, neighbour, passer_by]).is_empty());
+    }
+
+    #[test]
     fn panels_know_the_faces_of_their_photos_and_a_page_of_before_has_none() {
         let face = |height: f64, label: &str| Subject {
             x: 0.123_456,
