@@ -12,8 +12,8 @@ import type { Moment } from './narration.ts';
 export type Narrating = ReturnType<typeof createNarrating>;
 
 /**
- * @param app `album`: the title of the album, and when and where its photos were taken; `placed` marks text with place names;
- * `settled` places text, `cleared` the text of a page whose photos were analysed again
+ * @param app `album`: the title of the album, and when and where its photos were taken; `placed` marks text with place names.
+ * `settled` places text. `cleared` places the text of a page again after its photos were analysed
  */
 export function createNarrating({
   store,

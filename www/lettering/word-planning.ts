@@ -137,7 +137,7 @@ export function createWordPlanning({
 
   /**
    * Returns a page whose photos were analysed again: automatic text that the user did not write is placed again, and text of
-   * the user moves only if it covers a face. So a page that is opened again looks as it did.
+   * the user moves only if it covers a face. A page that is opened again is unchanged.
    */
   function cleared(page: PageDocument): PageDocument {
     const words = page.words ?? [];
@@ -149,8 +149,7 @@ export function createWordPlanning({
   }
 
   /**
-   * Returns a page with automatic text items moved off faces, like those that the user placed. Others stay. Null without
-   * glyphs.
+   * Returns a page whose automatic text items moved off faces, by the rule for fixed text. Others stay. Null without glyphs.
    */
   function offFaces(page: PageDocument, only: readonly number[]): PageDocument | null {
     const all = page.words ?? [];
