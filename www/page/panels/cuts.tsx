@@ -32,7 +32,7 @@ export function Cuts() {
   );
 }
 
-/** The gutters below the panels. Keyboards and fingers use `Edit layout`, where the handles are larger. */
+/** The gutters below the panels. Keyboards and fingers use `Edit layout`, which has larger handles. */
 export function Gutters() {
   const cuts = useCuts();
   return (

@@ -189,8 +189,8 @@ pub(super) fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
     faces
 }
 
-/// Where the faces of persons without a known face should be, in a photo with faces. A face that is much smaller or larger
-/// than the largest known one belongs to a passer-by or to a false detection.
+/// Estimates the faces of persons without a known face, in a photo with faces. A face that is much smaller or larger than the
+/// largest known one belongs to a passer-by or to a false detection.
 fn supposed_faces(photo: &PhotoMeta) -> Vec<Crop> {
     let faces: Vec<&Subject> = photo.subjects.iter().filter(|subject| subject.label == FACE).collect();
     let Some(largest) = faces.iter().map(|face| face.height).reduce(f64::max) else { return Vec::new() };

@@ -316,9 +316,8 @@ mod tests {
         document.panels.iter().filter_map(|panel| panel.photo.clone()).collect()
     }
 
-    #[test]
-    fn a_person_beside_a_known_face_has_a_supposed_face() {
-        let subject = |label: &str, [x, y, width, height]: [f64; 4]| Subject {
+    fn subject(label: &str, [x, y, width, height]: [f64; 4]) -> Subject {
+        Subject {
             x,
             y,
             width,
@@ -328,7 +327,11 @@ mod tests {
             points: None,
             expression: None,
             light: None,
-        };
+        }
+    }
+
+    #[test]
+    fn a_person_beside_a_known_face_has_a_supposed_face() {
         let known = subject("face", [0.2, 0.3, 0.06, 0.08]);
         let faces = |others: &[Subject]| {
             let mut request = request(8, 3);
@@ -351,17 +354,7 @@ mod tests {
 
     #[test]
     fn panels_know_the_faces_of_their_photos_and_a_page_of_before_has_none() {
-        let face = |height: f64, label: &str| Subject {
-            x: 0.123_456,
-            y: 0.2,
-            width: 0.1,
-            height,
-            label: label.to_owned(),
-            score: 0.9,
-            points: None,
-            expression: None,
-            light: None,
-        };
+        let face = |height: f64, label: &str| subject(label, [0.123_456, 0.2, 0.1, height]);
         let mut request = request(8, 3);
         for photo in &mut request.photos {
             photo.find([face(0.1, "face"), face(0.5, "person"), face(0.3, "face")]);
