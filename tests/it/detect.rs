@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use std::fs;
 
 use inkpanel_engine::detect::{Detection, Detectors, FacePoints, worth_a_closer_look};
-use inkpanel_engine::raster::Image;
 use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::raster::{Image, Plane};
 use serde_json::Value;
 
 /// The models of `cargo xtask models`.
@@ -97,16 +98,7 @@ fn boxes_are_those_of_onnx_runtime() {
 fn small_faces_of_a_large_photo_are_found_in_its_parts() {
     let detectors = detectors();
     // A face of 1/25 of a large picture, which is 8 of the model's 192 pixels.
-    let astronaut = photo("www/public/samples/19-astronaut.jpg");
-    let (width, height) = (2400, 2400);
-    let planes = astronaut.planes().iter().map(|plane| {
-        inkpanel_engine::raster::Plane::from_fn(width, height, |x, y| {
-            let inside = (1500..2012).contains(&x) && (300..812).contains(&y);
-            if inside { plane.at(x - 1500, y - 300) } else { 128 }
-        })
-    });
-    let planes: [_; 3] = planes.collect::<Vec<_>>().try_into().unwrap();
-    let photo = Image::from_rgb(planes).unwrap();
+    let photo = astronauts(2400, &[(1500, 300, 512)]);
     let first = detectors.faces.look(&photo).unwrap();
     assert!(worth_a_closer_look(&photo, &first));
     let faces = |boxes: &[Detection]| boxes.iter().filter(|b| b.label == "face").cloned().collect::<Vec<_>>();
@@ -119,6 +111,48 @@ fn small_faces_of_a_large_photo_are_found_in_its_parts() {
     for (found, expected) in [left, top, right, bottom].iter().zip(expected) {
         assert!((found - expected).abs() < 20.0, "{found} for {expected}");
     }
+}
+
+/// A photo that shows the astronaut in squares of it: the side of the photo, then left, top and side of each square.
+fn astronauts(side: usize, places: &[(usize, usize, usize)]) -> Image {
+    let astronaut = photo("www/public/samples/19-astronaut.jpg");
+    let copies: Vec<_> = places
+        .iter()
+        .map(|&(left, top, side)| {
+            let whole = Region::whole(astronaut.width(), astronaut.height());
+            (left, top, side, resample_image(&astronaut, whole, side, side))
+        })
+        .collect();
+    let planes = [0, 1, 2].map(|channel| {
+        Plane::from_fn(side, side, |x, y| {
+            let of_copy = copies.iter().find_map(|(left, top, side, copy)| {
+                let inside = (*left..left + side).contains(&x) && (*top..top + side).contains(&y);
+                inside.then(|| copy.planes()[channel].at(x - left, y - top))
+            });
+            of_copy.unwrap_or(128)
+        })
+    });
+    Image::from_rgb(planes).unwrap()
+}
+
+#[test]
+fn a_small_face_beside_a_large_one_is_found_in_the_box_of_its_person() {
+    let detectors = detectors();
+    let photo = astronauts(900, &[(0, 300, 600), (660, 100, 200)]);
+    let first = detectors.faces.search(&photo).unwrap();
+    assert!(first.len() == 1 && !worth_a_closer_look(&photo, &first), "{first:?}");
+    let found = detectors.detect(&photo).unwrap();
+    let faces: Vec<&Detection> = found.iter().filter(|found| found.label == "face").collect();
+    assert_eq!(faces.len(), 2, "{found:?}");
+    let small = faces.iter().find(|face| face.x > 0.6).unwrap();
+    // The place of the face in the whole picture of the astronaut.
+    let expected =
+        [660.0 + 0.339 * 200.0, 100.0 + 0.133 * 200.0, 660.0 + 0.546 * 200.0, 100.0 + 0.34 * 200.0];
+    for (found, expected) in corners(small).iter().zip(expected) {
+        assert!((found * 900.0 - expected).abs() < 10.0, "{small:?} for {expected}");
+    }
+    // Without the objects, nothing is searched.
+    assert_eq!(detectors.faces.look_closer(&photo, &first, &[]).unwrap(), first);
 }
 
 #[test]

@@ -49,10 +49,10 @@ function named({ net }: Looking['load']['args']) {
 
 async function looked<Op extends Exclude<Look, 'lips'>>(
   look: Op,
-  { photo, boxes }: Looking[Op]['args'],
+  { photo, boxes, objects: known }: Looking[Op]['args'],
   slow: Slow,
 ): Promise<Looking[Op]['ok']> {
-  const [run, pixels] = await Promise.all([runner(look, boxes), photo.planes.arrayBuffer()]);
+  const [run, pixels] = await Promise.all([runner(look, boxes, known), photo.planes.arrayBuffer()]);
   const planes = new Uint8Array(pixels);
   const found = JSON.parse(run(photo.width, photo.height, planes));
   if (look === 'faces') found.boxes = await withExpressions(found.boxes, photo, planes, slow);
@@ -81,15 +81,20 @@ async function withExpressions(
   }
 }
 
-/** @param boxes of the first look */
+/**
+ * @param boxes of the first look
+ * @param known the objects of the photo
+ */
 async function runner(
   look: Exclude<Look, 'lips'>,
-  boxes?: readonly Detection[],
+  boxes: readonly Detection[] = [],
+  known: readonly Detection[] = [],
 ): Promise<(width: number, height: number, planes: Uint8Array) => string> {
   if (look === 'objects') {
     const net = await objects.ready();
     return (...photo) => net.look(...photo);
   }
   const net = await faces.ready();
-  return (...photo) => (look === 'faces' ? net.look(...photo) : net.look_closer(...photo, JSON.stringify(boxes)));
+  if (look === 'faces') return (...photo) => net.look(...photo);
+  return (...photo) => net.look_closer(...photo, JSON.stringify(boxes), JSON.stringify(known));
 }

@@ -20,6 +20,9 @@ type Net = 'faces' | 'objects';
 const ROUNDS = 12;
 const BLANK = { width: 640, height: 480 };
 
+/** Whether a closer look may find the face of a person. */
+export const showsPerson = (objects: readonly Detection[]) => objects.some(({ label }) => label === 'person');
+
 /**
  * @param options `workers`: 2, or 1 on devices with little memory; `spare`: the pool keeps this many other workers idle during low-priority work. `linger`: milliseconds
  *   after the last detection until the models are unloaded
@@ -88,16 +91,13 @@ export function createDetector(
    * @param id of an imported photo
    */
   async function detect(id: string, call?: Call): Promise<readonly Detection[]> {
-    const faces = async () => {
-      const { boxes, closer } = await findFaces(id, call);
-      return closer ? findMoreFaces(id, boxes, call) : boxes;
-    };
-    const [objects, all] = await Promise.all([findObjects(id, call), faces()]);
-    return [...all, ...objects];
+    const [objects, { boxes, closer }] = await Promise.all([findObjects(id, call), findFaces(id, call)]);
+    const faces = closer || showsPerson(objects) ? await findMoreFaces(id, boxes, objects, call) : boxes;
+    return [...faces, ...objects];
   }
 
   /**
-   * `closer` is `true` if `findMoreFaces` may find more.
+   * `closer` is `true` if `findMoreFaces` may find more, even without objects.
    * @param id of an imported photo
    */
   function findFaces(id: string, call?: Call): Promise<FirstLook> {
@@ -105,13 +105,19 @@ export function createDetector(
   }
 
   /**
-   * Also the small faces, by looking at parts of the photo.
+   * Also the small faces and those of persons, by looking at parts of the photo.
    * @param id of an imported photo
    * @param boxes the faces found at first
+   * @param objects the objects of the photo
    * @returns the new result, which replaces `boxes`
    */
-  function findMoreFaces(id: string, boxes: readonly Detection[], call?: Call): Promise<readonly Detection[]> {
-    return run('faces', 'closer', id, { boxes }, call);
+  function findMoreFaces(
+    id: string,
+    boxes: readonly Detection[],
+    objects: readonly Detection[],
+    call?: Call,
+  ): Promise<readonly Detection[]> {
+    return run('faces', 'closer', id, { boxes, objects }, call);
   }
 
   /** @param id of an imported photo */
@@ -131,7 +137,7 @@ export function createDetector(
     net: Net,
     op: Op,
     id: string,
-    more: { boxes?: readonly Detection[] },
+    more: { boxes?: readonly Detection[]; objects?: readonly Detection[] },
     call?: Call,
   ): Promise<Looking[Op]['ok']> {
     const { name, work } = photos.get(id);

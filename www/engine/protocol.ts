@@ -111,7 +111,10 @@ export type Judging = {
  */
 export type Masking = { mask: { args: { photo: PhotoHandle; net: string; look: number }; ok: string | null } };
 
-type Looked<Ok> = { args: { photo: PhotoHandle; boxes?: readonly Detection[] }; ok: Ok };
+type Looked<Ok> = {
+  args: { photo: PhotoHandle; boxes?: readonly Detection[]; objects?: readonly Detection[] };
+  ok: Ok;
+};
 
 /** Operations of a worker that finds faces or objects. */
 export type Looking = {

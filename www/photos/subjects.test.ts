@@ -31,7 +31,8 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
       asked.push(id);
       return look(id);
     },
-    findMoreFaces: async (id: string, boxes: readonly Detection[]) => {
+    findMoreFaces: async (id: string, boxes: readonly Detection[], known: readonly Detection[]) => {
+      expect(known).toEqual(found);
       asked.push(`${id} closer`);
       return [...boxes, face];
     },
@@ -73,6 +74,16 @@ describe('subjects', () => {
     expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face, face]);
     expect(planner.used[1].subjects).toEqual([face]);
     expect(subjects.progress.value).toBeNull();
+  });
+
+  it('looks closer at photos of persons when their objects are known', async () => {
+    const person = { label: 'person', score: 0.8, x: 0.4, y: 0.4, width: 0.3, height: 0.3 };
+    const { reading, files, painted, asked, store } = app(async () => ({ boxes: [face], closer: false }), [person]);
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    painted.value = true;
+    await vi.waitFor(() => expect(asked).toEqual(['p1', 'p2', 'p1 closer', 'p2 closer']));
+    expect(store.album.value.get('p2')?.meta?.subjects).toEqual([face, face, person]);
+    expect(store.album.value.get('p2')?.looked).toBe(true);
   });
 
   it('looks for faces on the visible page while other photos are read', async () => {

@@ -7,6 +7,7 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
+import { showsPerson } from '../engine/detector.ts';
 import { photosOn } from '../engine/sheets.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
@@ -18,10 +19,16 @@ import type { Signal } from '@preact/signals';
 export type Subjects = ReturnType<typeof createSubjects>;
 
 /**
- * Detected subjects of a photo. A failure counts as no result. `closer`: a look for small faces is due. `draft`: they
- * were found in the draft of the photo.
+ * Detected subjects of a photo. A failure counts as no result. `closer`: the first look asks for a closer one. `closely`:
+ * the closer look is done. `draft`: they were found in the draft of the photo.
  */
-type Looked = { faces?: readonly Detection[]; objects?: readonly Detection[]; closer?: boolean; draft?: boolean };
+type Looked = {
+  faces?: readonly Detection[];
+  objects?: readonly Detection[];
+  closer?: boolean;
+  closely?: boolean;
+  draft?: boolean;
+};
 type Lane = 'faces' | 'objects';
 
 /** Without the detectors none of the other photos can be looked at. */
@@ -129,8 +136,9 @@ export function createSubjects({
   }
 
   /**
-   * The photo to look at next; a closer look waits until every photo was looked at. During reading, only faces for the
-   * sketch and for the visible page are detected. A long video is read for half a minute.
+   * The photo to look at next. A closer look waits for the objects of its photo, and until faces were looked for in every
+   * photo. During reading, only faces for the sketch and for the visible page are detected. A long video is read for half a
+   * minute.
    */
   function due(lane: Lane): string | undefined {
     if (store.sketch.value) return lane === 'faces' ? photos.value.find((id) => !looked(id).faces) : undefined;
@@ -139,7 +147,7 @@ export function createSubjects({
       return lane === 'faces' ? photos.value.find((id) => shown.has(id) && !looked(id).faces) : undefined;
     }
     const first = photos.value.find((id) => looked(id)[lane] === undefined);
-    return first ?? (lane === 'faces' ? photos.value.find((id) => looked(id).closer) : undefined);
+    return first ?? (lane === 'faces' ? photos.value.find((id) => needsCloserLook(looked(id))) : undefined);
   }
 
   async function run(lane: Lane) {
@@ -199,22 +207,23 @@ export function createSubjects({
 
   /** @returns the new subjects */
   async function look(lane: Lane, id: string): Promise<Looked> {
-    const before = looked(id).faces;
+    const { faces: before, objects = [] } = looked(id);
     try {
       if (lane === 'objects') return { objects: await engine.findObjects(id) };
-      if (before) return { faces: await engine.findMoreFaces(id, before), closer: false };
+      if (before) return { faces: await engine.findMoreFaces(id, before, objects), closely: true };
       const { boxes, closer } = await engine.findFaces(id);
       return { faces: boxes, closer };
     } catch (error) {
       if (FATAL.has((error as { code: string }).code)) throw error;
       // One photo that cannot be looked at is framed by contrast.
-      return lane === 'objects' ? { objects: [] } : { faces: before ?? [], closer: false };
+      return lane === 'objects' ? { objects: [] } : { faces: before ?? [], closely: true };
     }
   }
 
   /** Lets the page follow when both lanes have looked; faces count at once as long as photos are read. */
   function tell(id: string) {
-    const { faces, objects, closer } = known.get(id) ?? {};
+    const found = known.get(id) ?? {};
+    const { faces, objects } = found;
     const fact = store.album.peek().get(id);
     if (!faces || !(objects || store.reading.peek()) || !fact?.meta) return;
     // Lettering was found when the photo was read.
@@ -222,9 +231,14 @@ export function createSubjects({
     const subjects = [...faces, ...(objects ?? []), ...lettering];
     const same = JSON.stringify(fact.meta.subjects) === JSON.stringify(subjects);
     // Results are saved, so the next visit does not repeat the detection.
-    const looked = !!objects && !closer;
+    const looked = !!objects && !needsCloserLook(found);
     if (!same || looked)
       store.know({ ...fact, meta: same ? fact.meta : { ...fact.meta, subjects }, ...(looked ? { looked } : {}) });
     if (!same && store.page.peek()?.panels.some(({ photo }) => photo === id)) onFound();
   }
+}
+
+/** Whether a closer look is due. It waits for the objects, because it searches the heads of persons. */
+function needsCloserLook({ objects, closer, closely }: Looked) {
+  return !closely && objects !== undefined && (closer || showsPerson(objects));
 }

@@ -11,6 +11,8 @@ use inkpanel_image::raster::resize::Region;
 
 /// Label of faces in framing.
 pub(super) const LABEL: &str = "face";
+/// Label of persons among the objects.
+const PERSON: &str = "person";
 
 const SIDE: usize = 192;
 /// Cells along each side, with one anchor each.
@@ -40,6 +42,19 @@ const UNSURE: f64 = 0.78;
 /// Side of the photo inside its margin, in pixels, and the minimum height of a face that this search adds.
 const INNER: usize = SIDE / 2;
 const FILLING: f64 = 0.25;
+/// Sides of the squares that are searched for the face of a person, in shorter sides of the person's box. The model misses faces
+/// without surroundings, and small faces in a large square. The second square is searched if the first shows no face.
+const AROUND_HEAD: [f64; 2] = [2.4, 1.2];
+/// Share of such a square above the person's box, which often cuts the hair.
+const ABOVE_HEAD: f64 = 0.12;
+/// Score from which a face of a person counts.
+const OF_PERSON: f64 = 0.6;
+/// The face of a person lies in this share of the box: the middle of the width, and the upper part of the height.
+const HEAD: (f64, f64) = (0.7, 0.55);
+/// Persons whose faces are searched at most, and the minimum shorter side of a person in longer sides of the photo. The faces
+/// of smaller persons are unreadable on a page.
+const PERSONS: usize = 16;
+const FAR: f64 = 0.04;
 /// A box of a part that ends this near to an inner edge is cut by it, in sides of the photo.
 const EDGE: f64 = 0.004;
 
@@ -88,16 +103,35 @@ impl Faces {
         Ok(detections(suppress(candidates(first).chain(found).collect(), SAME)))
     }
 
-    /// Returns all faces, including small ones that appear in overlapping quarters or ninths of the photo. The
-    /// result replaces `first`.
+    /// Returns all faces. If the largest face is small, it searches overlapping quarters or ninths of the photo. It also
+    /// searches the heads of persons without a face in `first`. The result replaces `first`.
+    ///
+    /// `objects` are the detected objects of the photo. Other labels than `person` are ignored.
     ///
     /// # Errors
     /// `detector` if the model fails.
-    pub fn look_closer(&self, photo: &Image, first: &[Detection]) -> Result<Vec<Detection>> {
+    pub fn look_closer(
+        &self,
+        photo: &Image,
+        first: &[Detection],
+        objects: &[Detection],
+    ) -> Result<Vec<Detection>> {
         let mut all: Vec<Candidate> = candidates(first).collect();
-        all.extend(self.in_parts(photo, (2, PART))?);
-        if worth_the_closest_look(photo, &all) {
-            all.extend(self.in_parts(photo, (3, SMALLER_PART))?);
+        if worth_a_closer_look(photo, first) {
+            all.extend(self.in_parts(photo, (2, PART))?);
+            if worth_the_closest_look(photo, &all) {
+                all.extend(self.in_parts(photo, (3, SMALLER_PART))?);
+            }
+        }
+        for person in objects.iter().filter(|object| is_near_person(photo, object)).take(PERSONS) {
+            for around in AROUND_HEAD {
+                if !all.iter().any(|face| is_face_of(person, face.corners)) {
+                    all.extend(self.in_region(photo, head_of(person, photo, around), OF_PERSON)?);
+                }
+            }
+        }
+        if all.len() == first.len() {
+            return Ok(first.to_vec());
         }
         let mut found = detections(suppress_parts(all, SAME));
         light::add(photo, &mut found);
@@ -109,13 +143,20 @@ impl Faces {
         let mut all = Vec::new();
         let start = |at: usize| at as f64 * (1.0 - part) / (count - 1) as f64;
         for (x, y) in (0..count * count).map(|at| (start(at % count), start(at / count))) {
-            let (width, height) = (photo.width() as f64, photo.height() as f64);
+            let [width, height] = sides(photo);
             let region = Region { x: x * width, y: y * height, width: part * width, height: part * height };
-            let found = self.candidates(photo, region, CLOSER_THRESHOLD)?;
-            let edges = [x, y, x + part, y + part];
-            all.extend(found.into_iter().filter(|candidate| whole_in(candidate.corners, edges)));
+            all.extend(self.in_region(photo, region, CLOSER_THRESHOLD)?);
         }
         Ok(all)
+    }
+
+    /// The faces in a region of a photo that its edges do not cut.
+    fn in_region(&self, photo: &Image, region: Region, threshold: f64) -> Result<Vec<Candidate>> {
+        let [width, height] = sides(photo);
+        let [x, y] = [region.x / width, region.y / height];
+        let edges = [x, y, x + region.width / width, y + region.height / height];
+        let found = self.candidates(photo, region, threshold)?;
+        Ok(found.into_iter().filter(|candidate| whole_in(candidate.corners, edges)).collect())
     }
 
     fn candidates(&self, photo: &Image, region: Region, threshold: f64) -> Result<Vec<Candidate>> {
@@ -159,6 +200,34 @@ pub fn worth_a_closer_look(photo: &Image, faces: &[Detection]) -> bool {
 fn worth_the_closest_look(photo: &Image, faces: &[Candidate]) -> bool {
     let smallest = faces.iter().map(|face| face.corners[3] - face.corners[1]).fold(f64::INFINITY, f64::min);
     photo.width().max(photo.height()) >= LARGER && smallest < SMALLER
+}
+
+fn sides(photo: &Image) -> [f64; 2] {
+    [photo.width() as f64, photo.height() as f64]
+}
+
+/// Whether an object is a person whose face can be large enough.
+fn is_near_person(photo: &Image, object: &Detection) -> bool {
+    let [width, height] = sides(photo);
+    let shorter = (object.width * width).min(object.height * height);
+    object.label == PERSON && shorter >= FAR * width.max(height)
+}
+
+/// Whether a face is where the face of a person is.
+fn is_face_of(person: &Detection, [left, top, right, bottom]: [f64; 4]) -> bool {
+    let aside = ((left + right) / 2.0 - person.x - person.width / 2.0).abs();
+    let below = (top + bottom) / 2.0 - person.y;
+    aside <= HEAD.0 / 2.0 * person.width && (0.0..=HEAD.1 * person.height).contains(&below)
+}
+
+/// A square round the head of a person, `around` times as long as the shorter side of the person, and cut off at the photo's edges.
+fn head_of(person: &Detection, photo: &Image, around: f64) -> Region {
+    let [width, height] = sides(photo);
+    let side = around * (person.width * width).min(person.height * height);
+    let left = (person.x + person.width / 2.0) * width - side / 2.0;
+    let top = person.y * height - ABOVE_HEAD * side;
+    let [x, y] = [left.max(0.0), top.max(0.0)];
+    Region { x, y, width: (left + side).min(width) - x, height: (top + side).min(height) - y }
 }
 
 /// Returns whether a box is not cut by an edge of its part. The edges of the photo do not count.
@@ -208,12 +277,51 @@ mod tests {
         assert!(whole_in([0.0, 0.1, 0.2, 0.3], left_part));
     }
 
+    fn object(label: &str, [x, y, width, height]: [f64; 4]) -> Detection {
+        let label = label.to_owned();
+        Detection { label, score: 0.9, x, y, width, height, points: None, expression: None, light: None }
+    }
+
+    fn gray(width: usize, height: usize) -> Image {
+        let plane = Plane::filled(width, height, 0);
+        Image::from_rgb([plane.clone(), plane.clone(), plane]).unwrap()
+    }
+
+    #[test]
+    fn the_head_of_a_person_is_in_a_square_at_the_top_of_the_box() {
+        let photo = gray(1000, 500);
+        let person = object(PERSON, [0.5, 0.4, 0.1, 0.6]);
+        // The box is 100 pixels wide and 300 high, and 200 from the top.
+        let region = head_of(&person, &photo, 1.5);
+        let expected = [475.0, 182.0, 150.0, 150.0];
+        let found = [region.x, region.y, region.width, region.height];
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?}");
+        // The photo ends right of this person, and above.
+        let region = head_of(&object(PERSON, [0.9, 0.0, 0.1, 0.6]), &photo, 2.0);
+        let found = [region.x, region.y, region.width, region.height];
+        let expected = [850.0, 0.0, 150.0, 176.0];
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?}");
+    }
+
+    #[test]
+    fn a_face_belongs_to_a_person_if_it_is_where_the_head_is() {
+        let person = object(PERSON, [0.2, 0.2, 0.4, 0.8]);
+        let face = |x: f64, y: f64| is_face_of(&person, [x - 0.05, y - 0.05, x + 0.05, y + 0.05]);
+        assert!(face(0.4, 0.3) && face(0.29, 0.6));
+        assert!(!face(0.22, 0.3) && !face(0.4, 0.7) && !face(0.4, 0.1));
+    }
+
+    #[test]
+    fn only_persons_that_are_near_are_searched() {
+        let photo = gray(1000, 500);
+        assert!(is_near_person(&photo, &object(PERSON, [0.0, 0.0, 0.05, 0.5])));
+        assert!(!is_near_person(&photo, &object(PERSON, [0.0, 0.0, 0.03, 0.5])));
+        assert!(!is_near_person(&photo, &object("dog", [0.0, 0.0, 0.5, 0.5])));
+    }
+
     #[test]
     fn the_closest_look_is_for_large_photos_with_a_very_small_face() {
-        let photo = |side: usize| {
-            let plane = Plane::filled(side, side / 2, 0);
-            Image::from_rgb([plane.clone(), plane.clone(), plane]).unwrap()
-        };
+        let photo = |side: usize| gray(side, side / 2);
         let face =
             |size: f64| Candidate { corners: [0.1, 0.1, 0.1 + size, 0.1 + size], score: 0.9, points: None };
         // A false face in the background is larger than the faces of the group.
@@ -225,21 +333,8 @@ mod tests {
 
     #[test]
     fn a_closer_look_is_for_large_photos_with_small_faces_or_none() {
-        let photo = |side: usize| {
-            let plane = Plane::filled(side, side / 2, 0);
-            Image::from_rgb([plane.clone(), plane.clone(), plane]).unwrap()
-        };
-        let face = |size: f64| Detection {
-            label: LABEL.into(),
-            score: 0.9,
-            x: 0.1,
-            y: 0.1,
-            width: size,
-            height: size,
-            points: None,
-            expression: None,
-            light: None,
-        };
+        let photo = |side: usize| gray(side, side / 2);
+        let face = |size: f64| object(LABEL, [0.1, 0.1, size, size]);
         assert!(worth_a_closer_look(&photo(1600), &[]));
         assert!(worth_a_closer_look(&photo(1600), &[face(0.05)]));
         assert!(!worth_a_closer_look(&photo(1600), &[face(0.05), face(0.2)]));

@@ -93,7 +93,7 @@ pub struct Detection {
 pub struct FirstLook {
     /// The faces.
     pub boxes: Vec<Detection>,
-    /// Whether a second pass over parts of the photo may find more.
+    /// Whether a second pass over parts of the photo may find more, even without objects.
     pub closer: bool,
 }
 
@@ -125,18 +125,17 @@ impl Detectors {
     }
 
     /// Finds faces and objects in a photo in colour, faces first, each from the surest to the least sure; a
-    /// copy of 600 pixels or more a side is enough. Also searches small faces if it is worthwhile.
+    /// copy of 600 pixels or more a side is enough. Also searches small faces, and the heads of persons.
     ///
     /// # Errors
     /// `detector` if a model fails.
     pub fn detect(&self, photo: &Image) -> Result<Vec<Detection>> {
-        let first = self.faces.search(photo)?;
-        let mut found =
-            if worth_a_closer_look(photo, &first) { self.faces.look_closer(photo, &first)? } else { first };
+        let objects = self.objects.look(photo)?;
+        let mut found = self.faces.look_closer(photo, &self.faces.search(photo)?, &objects)?;
         if let Some(landmarks) = &self.landmarks {
             landmarks.read(photo, &mut found)?;
         }
-        found.extend(self.objects.look(photo)?);
+        found.extend(objects);
         Ok(found)
     }
 }

@@ -34,16 +34,25 @@ impl FaceDetector {
         Ok(Self { net: Faces::new(onnx)? })
     }
 
-    /// Finds faces of a photo, also one that fills it: `{boxes, closer}`. `closer` is `true` if [`Self::look_closer`] may find more.
+    /// Finds faces of a photo, also one that fills it: `{boxes, closer}`. `closer` is `true` if [`Self::look_closer`] may find more, even
+    /// without objects.
     pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> Result<String> {
         let photo = image(width, height, planes)?;
         let boxes = self.net.search(&photo)?;
         json(&FirstLook { closer: worth_a_closer_look(&photo, &boxes), boxes })
     }
 
-    /// Also finds small faces. `boxes` are the result of the first search. The result replaces them.
-    pub fn look_closer(&self, width: usize, height: usize, planes: &[u8], boxes: &str) -> Result<String> {
-        json(&self.net.look_closer(&image(width, height, planes)?, &parsed(boxes)?)?)
+    /// Also finds small faces, and faces of the persons in `objects`. `boxes` are the result of the first search. The result
+    /// replaces them.
+    pub fn look_closer(
+        &self,
+        width: usize,
+        height: usize,
+        planes: &[u8],
+        boxes: &str,
+        objects: &str,
+    ) -> Result<String> {
+        json(&self.net.look_closer(&image(width, height, planes)?, &parsed(boxes)?, &parsed(objects)?)?)
     }
 }
 
