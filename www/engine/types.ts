@@ -1804,7 +1804,7 @@ export type Detection = {
 export type FirstLook = {
   /** The faces. */
   boxes: ReadonlyArray<Detection>,
-  /** Whether a second pass over parts of the photo may find more. */
+  /** Whether a second pass over parts of the photo may find more, even without objects. */
   closer: boolean,
 };
 

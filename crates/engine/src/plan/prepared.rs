@@ -45,7 +45,7 @@ const HEADLESS: f64 = 0.85;
 const GLOOM: (f64, f64, f64) = (0.5, 0.85, 0.5);
 /// The value of a face rises from the first score to the second. The back of a head can have 0.5.
 const DOUBTFUL: (f64, f64) = (0.35, 0.96);
-/// Minimum score of a face that makes a person known.
+/// Minimum score of a face that plans know.
 const KNOWN: f64 = 0.56;
 /// The part of the value of a face that a profile loses.
 const PROFILE: f64 = 0.2;
@@ -185,7 +185,7 @@ fn gloom(photo: &PhotoMeta) -> f64 {
 
 /// Returns the interest of a photo, and its kind.
 fn care(photo: &PhotoMeta) -> (f64, Kind) {
-    let subjects: Vec<_> = photo.marked().filter(|s| is_sound(s)).collect();
+    let subjects: Vec<_> = photo.marked().filter(|s| is_sound(s) && is_clear(s)).collect();
     let side = |s: &Subject| (s.width * s.height).sqrt();
     let faces = || subjects.iter().filter(|s| s.label == FACE);
     let people = || subjects.iter().filter(|s| s.label == "person");
@@ -210,7 +210,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         s.is_animal()
             && people().any(|person| person.score >= RIVAL.0 && area(s).overlap(&area(person)) >= RIVAL.1)
     };
-    let is_known = |person: &Subject| faces().any(|face| face.score >= KNOWN && person.surrounds(face));
+    let is_known = |person: &Subject| faces().any(|face| person.surrounds(face));
     let strangers = people().filter(|person| !is_known(person)).count();
     let is_crowd = strangers >= CROWD.0 && strangers == people().count();
     let certain =
@@ -244,7 +244,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
             _ => 0.3 * size(0.45),
         }
     };
-    let lit = if faces().any(|face| face.score >= KNOWN) { 1.0 } else { 1.0 - gloom(photo) };
+    let lit = if faces().next().is_some() { 1.0 } else { 1.0 - gloom(photo) };
     let best = lit * subjects.iter().map(|s| value(s)).fold(0.0, f64::max);
     let least = |s: &Subject| match s.label.as_str() {
         "person" if is_known(s) => ALIVE,
@@ -356,8 +356,14 @@ fn is_sound(s: &Subject) -> bool {
     sound && s.width > 0.0 && s.height > 0.0
 }
 
+/// Whether plans know a subject. They value a person with an unclear face like one without: crops and styles protect the face,
+/// and no photo leads or stays out because of it.
+fn is_clear(s: &Subject) -> bool {
+    s.label != FACE || s.score >= KNOWN
+}
+
 fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
-    if !is_sound(s) {
+    if !is_sound(s) || !is_clear(s) {
         return None;
     }
     let grown = s.grown();
@@ -370,7 +376,8 @@ fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
     };
     let weight = kind * (0.2 + (s.width * s.height).sqrt()) * s.score.clamp(0.05, 1.0);
     // A portrait may end at the waist.
-    let portrait = s.label == "person" && photo.subjects.iter().any(|o| o.label == FACE && s.surrounds(o));
+    let is_face_of = |o: &Subject| o.label == FACE && is_clear(o) && s.surrounds(o);
+    let portrait = s.label == "person" && photo.subjects.iter().any(is_face_of);
     let whole = if s.is_scenery() {
         0.0
     } else if portrait {
