@@ -24,6 +24,8 @@ const FIXED_EXPANSION: f64 = 0.04;
 const MOST_SUBJECTS: usize = 12;
 /// Faces that no crop may cut; a class or a wedding has more than crops are drawn round.
 const MOST_FACES: usize = 40;
+/// The part of each side of a head that a crop may trim.
+const TRIMMED: f64 = 0.04;
 /// Zoom steps of the rule without detection, as parts of the widest crop.
 const STEPS: [f64; 3] = [1.0, 0.8, 0.6];
 /// Places across and down that the rule without detection tries at each step.
@@ -49,6 +51,13 @@ impl Area {
         let right = (self.x + self.width).max(other.x + other.width);
         let bottom = (self.y + self.height).max(other.y + other.height);
         Self { x, y, width: right - x, height: bottom - y }
+    }
+
+    /// The rectangle without a part of its width on the left and right, and of its height at the top and bottom.
+    pub(super) fn inset(self, part: f64) -> Self {
+        let (x, y) = (self.x + part * self.width, self.y + part * self.height);
+        let left = 1.0 - 2.0 * part;
+        Self { x, y, width: left * self.width, height: left * self.height }
     }
 
     /// The area that two rectangles share.
@@ -148,6 +157,11 @@ impl<'a> View<'a> {
     pub(super) fn heads(&self) -> impl Iterator<Item = Area> + '_ {
         let faces = self.subjects.iter().zip(&self.grown).filter(|((_, s), _)| s.label == FACE);
         faces.map(|(_, grown)| *grown)
+    }
+
+    /// Most of each head. A crop may trim the rest if no crop shows the complete heads.
+    pub(super) fn most_of_heads(&self) -> Vec<Area> {
+        self.heads().map(|head| head.inset(TRIMMED)).collect()
     }
 
     /// A rectangle of the photo in parts of a crop.
@@ -274,14 +288,24 @@ pub(super) fn all(view: &View, search: Search) -> Vec<Crop> {
     }
     if !faces.is_empty() && !view.target.round {
         let most = if quick { places as usize } else { crops.len() };
-        for whole in [&faces, &heads] {
+        let settle = |crops: &mut Vec<Crop>, whole: &[Area]| {
             let settled: Vec<Crop> =
                 crops.iter().take(most).filter_map(|crop| settled(view, crop, whole)).collect();
             crops.extend(settled);
-        }
+        };
+        let kept = |crops: &[Crop], whole: &[Area]| crops.iter().any(|crop| keeps(view, crop, whole));
+        settle(&mut crops, &faces);
+        settle(&mut crops, &heads);
         for whole in [&faces, &heads] {
-            if !crops.iter().any(|crop| keeps(view, crop, whole)) {
+            if !kept(&crops, whole) {
                 crops.extend(tight(view, whole));
+            }
+        }
+        if !quick && !kept(&crops, &heads) {
+            let trimmed = view.most_of_heads();
+            settle(&mut crops, &trimmed);
+            if !kept(&crops, &trimmed) {
+                crops.extend(tight(view, &trimmed));
             }
         }
     }

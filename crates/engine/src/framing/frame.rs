@@ -243,6 +243,15 @@ mod tests {
     }
 
     #[test]
+    fn a_panel_that_is_too_low_for_a_head_shows_most_of_it() {
+        let face = subject(FACE, 0.4, 0.14, 0.16, 0.206);
+        let head = face.grown();
+        let crop = frame(&photo(1000, 1000, vec![face]), &Target::of_aspect(3.2), 0);
+        let shown = (crop.y + crop.height).min(head.y + head.height) - crop.y.max(head.y);
+        assert!(head.height > crop.height && shown >= 0.92 * head.height, "{crop:?} of {head:?}");
+    }
+
+    #[test]
     fn a_crop_avoids_a_person_whose_head_the_photo_cuts() {
         // A speaker behind a lectern, and a singer. The photo ends at the neck of the speaker.
         let speaker = Subject { score: 0.49, ..subject("person", 0.194, 0.037, 0.343, 0.9) };

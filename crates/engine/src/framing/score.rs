@@ -91,7 +91,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Returns the candidates that break the fewest rules. The rules, in this order: the focus is visible, a face is
-    /// included and none is cut. The same holds for heads, also of animals and of people without a known face. No animal is
+    /// included and none is cut. The same holds for heads, for most of each head, also of animals and of people without a known face. No animal is
     /// cut. If `wide`, the crop has enough of the photo. No subject is cut, and the enlargement is limited.
     pub(super) fn admitted(&self, candidates: Vec<Crop>, wide: bool) -> Vec<Crop> {
         let most = candidates.iter().map(|crop| crop.width * crop.height).fold(0.0, f64::max);
@@ -109,11 +109,13 @@ impl<'a> Judge<'a> {
             let people = self.of_size(|subject| subject.label == "person");
             crowns.extend(people.map(|(_, grown)| upper(grown, PERSON_HEAD)));
         }
-        let rules: [&dyn Fn(&Crop) -> bool; 9] = [
+        let most_of_heads = self.view.most_of_heads();
+        let rules: [&dyn Fn(&Crop) -> bool; 10] = [
             &|crop| self.holds_focus(crop),
             &|crop| self.shows_focus(crop),
             &|crop| self.spares(crop, &faces),
             &|crop| self.spares(crop, &heads),
+            &|crop| self.spares(crop, &most_of_heads),
             &|crop| self.spares(crop, &crowns),
             &|crop| self.spares(crop, &animals),
             &|crop| crop.width * crop.height >= least,
