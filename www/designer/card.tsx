@@ -146,6 +146,7 @@ export function Card({
         <IconButton
           icon={step.bypass ? 'hidden' : 'shown'}
           label={strings.bypass}
+          help={strings.skipBlock}
           short={strings.cardShort.bypass}
           pressed={step.bypass}
           onClick={() => designer.change({ type: 'bypass', layer, at, on: !step.bypass })}

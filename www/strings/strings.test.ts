@@ -74,6 +74,12 @@ it('the English names are those of the core and the data files; BLESS=1 writes t
   expect(JSON.parse(readFileSync(file, 'utf8'))).toEqual(NAMES);
 });
 
+it('controls of blocks have plain names in English; technical terms are only in the brackets of a block name', () => {
+  const texts = choices.map((id) => asName.choiceName(id));
+  const named = leaves({ help: NAMES.blockHelp, parameters: NAMES.parameters }).map(([, text]) => text);
+  expect([...texts, ...named].filter((text) => /\b(bypass|channels?|knee|luma|percentile)\b/i.test(text))).toEqual([]);
+});
+
 describe.each(codes)('the messages in %s', (code) => {
   it('compile', () => {
     const wrong = [...messagesOf(code)].filter(([, text]) => {

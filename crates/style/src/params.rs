@@ -267,7 +267,7 @@ pub const fn integer(
 /// A choice between processing every channel and processing luma. The first is the default.
 #[must_use]
 pub const fn channels(names: &'static [&'static str]) -> Param {
-    let help = "Only luma, which preserves the colours, or each of red, green and blue.";
+    let help = "Only brightness, which preserves the colours, or each of red, green and blue.";
     param("channels", "Works on", help, Kind::Choice { names })
 }
 

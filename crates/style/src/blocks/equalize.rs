@@ -26,13 +26,19 @@ pub(super) static BLOCK: Block = Block {
             (5.0, 0.0, 100.0, 0.5),
             Unit::Percent,
         ),
-        number("high", "White from", "Percentile that turns white.", (95.0, 0.0, 100.0, 0.5), Unit::Percent)
-            .correcting(Gaps { tone: -0.25, ..Gaps::NONE }),
+        number(
+            "high",
+            "White from",
+            "Share of pixels that stay darker than white.",
+            (95.0, 0.0, 100.0, 0.5),
+            Unit::Percent,
+        )
+        .correcting(Gaps { tone: -0.25, ..Gaps::NONE }),
         channels(&["luma", "each"]),
         number(
             "knee",
-            "Knee",
-            "Part of the range at each end that keeps detail, instead of turning black or white.",
+            "Keep detail",
+            "How much of the darkest and lightest tones keeps detail, instead of turning black or white.",
             (0.0, 0.0, 50.0, 1.0),
             Unit::Percent,
         ),

@@ -50,6 +50,7 @@ test('mouse: blocks are added, moved, bypassed, duplicated, removed and undone, 
   await expect.poll(() => preview(page)).toBe(built);
 
   const bypass = cards(page).nth(1).getByRole('button', { name: 'Bypass' });
+  await expect(bypass).toHaveAttribute('title', 'Skip this block');
   await bypass.click();
   await expect(bypass).toHaveAttribute('aria-pressed', 'true');
   await expect.poll(() => preview(page)).not.toBe(built);

@@ -107,7 +107,7 @@ test('the tools of a block have their names below the icons on a phone', async (
   expect(await names(page, 'Foreground layer')).toEqual(['Gaussian Smoothing']);
   await page.setViewportSize({ width: 390, height: 760 });
   const texts = cards(page).first().locator('.card-tools .icon-text');
-  await expect(texts).toHaveText(['Bypass', 'Remove', 'More', 'Up', 'Down']);
+  await expect(texts).toHaveText(['Skip', 'Remove', 'More', 'Up', 'Down']);
   const boxes = await texts.evaluateAll((all) => all.map((text) => text.getBoundingClientRect().toJSON()));
   boxes.slice(1).forEach(({ left, height }, i) => {
     expect(height).toBeGreaterThan(8);

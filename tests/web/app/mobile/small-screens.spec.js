@@ -110,7 +110,7 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
       await expect(button(page, 'Lock')).toBeVisible();
       expect(await page.evaluate(covered)).toEqual([]);
       await page.keyboard.press('Escape');
-      await button(page, 'Make plain pages').tap();
+      await button(page, 'Make pages from all photos').tap();
       await idle(page);
       await expect(button(page, 'Restore pages')).toBeVisible();
       expect(await page.evaluate(covered)).toEqual([]);
@@ -138,7 +138,7 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
 
       test('a message disappears when a workspace opens', async ({ page }) => {
         await openBoard(page, ALBUM);
-        await button(page, 'Make plain pages').tap();
+        await button(page, 'Make pages from all photos').tap();
         await expect(button(page, 'Restore pages')).toBeVisible();
         await button(page, 'Projects').tap();
         await expect(page.getByRole('region', { name: 'Projects' })).toBeVisible();

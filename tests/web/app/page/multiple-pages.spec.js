@@ -23,14 +23,14 @@ import {
 /** @param {Page} page */
 async function spreadSamples(page) {
   await openBoard(page, SAMPLES);
-  await press(page, 'Make plain pages');
+  await press(page, 'Make pages from all photos');
 }
 
 test('the sample album is spread over pages with each photo once, and Undo restores the page', async ({ page }) => {
   await openBoard(page, SAMPLES);
   const before = await picture(page);
   await expect(thumbs(page)).toHaveCount(0);
-  await press(page, 'Make plain pages');
+  await press(page, 'Make pages from all photos');
   expect(await thumbs(page).count()).toBeGreaterThan(2);
   await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
   const photos = (await photosOfPages(page)).flat();
@@ -155,7 +155,7 @@ test('the page strip shows a thumbnail of each page, and axe finds nothing', asy
   await accessible(page);
   await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('2');
-  await press(page, 'Make plain pages');
+  await press(page, 'Make pages from all photos');
   await expect(thumbs(page)).toHaveCount(3);
   await press(page, 'Shuffle style');
   await accessible(page);
