@@ -77,6 +77,23 @@ async function expectWholeWords(page, screen) {
   }
 }
 
+/** Checks at the widths of two phones that the tools of the selection are in one row, with whole labels. @param {Page} page @param {string} code */
+async function expectOneRow(page, code) {
+  for (const width of [360, 320]) {
+    await page.setViewportSize({ width, height: 640 });
+    const boxes = await page.locator('.context-bar .tool').evaluateAll((tools) =>
+      tools.map((tool) => {
+        const label = document.createRange();
+        label.selectNodeContents(/** @type {Element} */ (tool.querySelector('span')));
+        const [inner, outer] = [label, tool].map((one) => one.getBoundingClientRect());
+        return { top: outer.top, isCut: inner.left < outer.left || inner.right > outer.right };
+      }),
+    );
+    expect([code, width, boxes.some(({ isCut }) => isCut)]).toEqual([code, width, false]);
+    expect([code, width, new Set(boxes.map(({ top }) => top)).size]).toEqual([code, width, 1]);
+  }
+}
+
 for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
   test.describe(`${viewport.width} x ${viewport.height} pixels`, () => {
     test.use({ viewport, hasTouch: true, isMobile: true });
@@ -288,11 +305,11 @@ test.describe('on a narrow phone', () => {
 test.describe('on the narrowest phone', () => {
   test.use({ hasTouch: true, deviceScaleFactor: 2 });
 
-  test('the bars fit into the window in every language', async ({ page }) => {
+  test('the bars fit into the window in every language, also the tools of a panel and of a crop', async ({ page }) => {
     await openBoard(page);
     await expectSaved(page);
     await page.setViewportSize({ width: 320, height: 640 });
-    for (const [code, { shuffle }] of Object.entries(STRINGS)) {
+    for (const [code, { shuffle, crop, doneEditing }] of Object.entries(STRINGS)) {
       await page.evaluate((language) => localStorage.setItem('inkpanel.language', language), code);
       await page.reload();
       await expect(page.getByRole('button', { name: shuffle, exact: true })).toBeVisible();
@@ -307,6 +324,12 @@ test.describe('on the narrowest phone', () => {
           .map(({ textContent }) => textContent),
       );
       expect(outside, code).toEqual([]);
+      await page.locator('.panel').nth(1).tap();
+      await expect(button(page, crop)).toBeVisible();
+      await expectOneRow(page, code);
+      await button(page, crop).tap();
+      await expect(button(page, doneEditing)).toBeVisible();
+      await expectOneRow(page, code);
     }
   });
 });
