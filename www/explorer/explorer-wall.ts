@@ -29,8 +29,11 @@ export type Item = {
   photo: Photo;
 };
 
-/** Mean difference of two signatures, in steps of 255, up to which they look the same. */
-const ALIKE = 7;
+/**
+ * Mean difference of two signatures, in steps of 255, up to which they look the same: in any colours, and with one main
+ * colour. A small coloured subject changes the mean little, but its hue.
+ */
+const [ALIKE, ALIKE_IN_HUE] = [7, 10];
 /** Maximum number of thumbnails, to limit memory. The oldest are removed, unless they are favourites. */
 const MOST = 1200;
 
@@ -158,11 +161,11 @@ export function createWall(
 
 /** @returns whether two pictures of one photo look the same */
 export function near(a: Uint8Array, b: Uint8Array): boolean {
-  const most = ALIKE * a.length;
+  const most = ALIKE_IN_HUE * a.length;
   let sum = 0;
   for (let i = 0; i < a.length; i += 1) {
     sum += Math.abs(a[i] - b[i]);
     if (sum > most) return false;
   }
-  return true;
+  return sum <= ALIKE * a.length || coloursOf(a).hue === coloursOf(b).hue;
 }

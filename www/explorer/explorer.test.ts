@@ -15,7 +15,7 @@ const looks = (style: any) => ({
   fault: '',
   look: style.seed % 2 ? 'line' : 'flat',
   clipped: { white: 0, black: 0, lightest: 0, darkest: 0 },
-  signature: Uint8Array.from([(style.seed * 32) % 256, (Math.floor(style.seed / 8) * 32) % 256, style.seed % 256, 0]),
+  signature: Uint8Array.from([1, 4, 16, 64].map((place) => (Math.floor(style.seed / place) % 4) * 64)),
 });
 
 function app(judge: (style: any, photo: string) => any = looks, model: object = { judges: false }) {
@@ -354,8 +354,12 @@ describe('the wall', () => {
   });
 });
 
-it('signatures are near within a few steps', () => {
-  const base = new Uint8Array(432).fill(100);
-  const moved = (by: number) => base.map((value) => value + by);
-  expect([near(base, moved(5)), near(base, moved(9))]).toEqual([true, false]);
+it('signatures are near within a few steps, and within more steps if they have one main colour', () => {
+  const filled = (...cell: number[]) => Uint8Array.from({ length: 432 }, (_, i) => cell[i % 4]);
+  const red = filled(150, 90, 90, 20);
+  const [darker, rougher, dark] = [filled(139, 79, 79, 20), filled(150, 90, 90, 58), filled(135, 75, 75, 20)];
+  const [purple, orange] = [filled(142, 82, 102, 20), filled(150, 115, 90, 28)];
+  expect([darker, rougher, dark].map((one) => near(red, one))).toEqual([true, true, false]);
+  // The first has another main colour at a distance of 7, the second at a distance of 8.25.
+  expect([purple, orange].map((one) => near(red, one))).toEqual([true, false]);
 });

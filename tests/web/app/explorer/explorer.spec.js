@@ -204,6 +204,8 @@ test.describe('on a phone', () => {
     await expect(row.getByRole('button').last()).toHaveAttribute('aria-current', 'true');
     const [edge, right] = await ends();
     expect(right).toBeLessThanOrEqual(edge);
+    // Styles that look the same on this photo are removed.
+    await expect(region(page)).toHaveAttribute('aria-busy', 'false', SLOW);
     await expect.poll(() => wall(page).count(), SLOW).toBeGreaterThan(4);
     const texts = wall(page).nth(1).locator('.icon-text');
     await expect(texts).toHaveText(['Use', 'Edit', 'Combine', 'Similar']);
