@@ -11,7 +11,8 @@
  * Product code has no other timers. It uses `after`, `createTimer`, `pause` and `timeLimit` only for:
  *
  * - gestures: a long press, and the click after it (`pointing`, `list-drag`, `card-drag`);
- * - previews of input at rest: hover previews, hints, file sizes, sheets, plans of videos, the designer, a resized page;
+ * - previews of input at rest: hover previews, hints, file sizes, sheets, plans of videos, the designer, a resized page,
+ *   the place of a long text;
  * - collected updates: autosave, imported photos, failed files, missing photos, pieces of long lists;
  * - deadlines: of workers, files, videos, frames, faces for the first page, a new app version, an aborted job;
  * - later steps: notes that close, released file addresses, cached models, another try to store a photo.

@@ -1,4 +1,4 @@
-import { beforeEach, describe, expect, test } from 'vitest';
+import { beforeEach, describe, expect, onTestFinished, test, vi } from 'vitest';
 import { createLettering } from './lettering.ts';
 import { setWords } from './word-planning.ts';
 import { createSelection } from '../page/panels/selection.ts';
@@ -248,6 +248,31 @@ describe('words', () => {
     setWords(store, [{ at: 0, page: { ...now, words: now.words?.map((word) => ({ ...word, x: 0.7 })) } }]);
     lettering.edit(0, { shape: 'shout' });
     expect(places()[0], 'another shape needs other room').toEqual([0.25, true]);
+  });
+
+  test('a long text gets a place when its user pauses, and keeps it while it is typed further', async () => {
+    const sized = vi
+      .spyOn(letters, 'measure')
+      .mockImplementation(({ words }) =>
+        words.map(({ x = 0.5, y = 0.5, text }: Word) => ({ x, y, width: text.length / 1000, height: 0.1 })),
+      );
+    onTestFinished(() => sized.mockRestore());
+    await lettering.addAll([{ kind: 'balloon', text: 'Hm', panel: 0, auto: true }]);
+    const page = store.page.peek() as PageDocument;
+    setWords(store, [{ at: 0, page: { ...page, words: page.words?.map((word) => ({ ...word, x: 0.7 })) } }]);
+    lettering.editing.value = 0;
+    const across = (length: number, isAtRest?: boolean) => lettering.measured(0, 'x'.repeat(length), isAtRest)?.x;
+    onFace = true;
+    expect([across(100), across(200)]).toEqual([0.4, 0.4]);
+    onFace = false;
+    expect([across(210), across(220, true), across(230)]).toEqual([0.4, 0.7, 0.7]);
+    onFace = true;
+    expect([across(240), across(250, true)]).toEqual([0.7, 0.4]);
+    asked = [];
+    expect([across(700, true), lettering.measured(0, 'x'.repeat(700))?.width, asked.length]).toEqual([0.4, 0.7, 0]);
+    // Another edit begins where the text item is.
+    lettering.editing.value = -1;
+    expect(across(200)).toBe(0.7);
   });
 
   test('the list shows the text that is typed, and the page the text that is accepted', async () => {

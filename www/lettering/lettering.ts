@@ -25,8 +25,8 @@ const [NARROWEST, WIDEST] = [0.04, 0.96];
 /** A new title: as wide as the page, in the font of a book's title, and at the top of the page if no face is there. */
 const TITLE: Partial<Word> = { font: TITLE_FONT, boxless: true, size: 0.1, width: WIDEST };
 
-/** Maximum number of letters of a text whose place is searched while it is typed. */
-const MOST_SEARCHED = 150;
+/** Maximum number of letters of a text whose place is searched at each key, and when the user pauses. */
+const [MOST_SEARCHED, MOST_SEARCHED_AT_REST] = [150, 600];
 /** An edited text item belongs to the user: neither Shuffle nor a new book replaces it. */
 const BY_HAND = { made: undefined, book: undefined, number: undefined };
 
@@ -70,8 +70,11 @@ export function createLettering({
   const editing = signal(-1);
   /** Its text in the field. The page has it after the edit. */
   const typed = signal('');
+  /** The page after the last search for the place of this text. */
+  let searched: PageDocument | null = null;
   effect(() => {
     typed.value = untracked(() => words.value)[editing.value]?.text ?? '';
+    searched = null;
   });
   const mode: Signal<Mode | null> = signal(null);
   /** Words of photos that no page shows. */
@@ -126,11 +129,20 @@ export function createLettering({
     return index === editing.value ? typed.value : words.value[index].text;
   }
 
-  /** Returns the box that a text item would have after its text changed; null without glyphs. */
-  function measured(index: number, text: string): WordBox | null {
+  /**
+   * Returns the box that a text item would have after its text changed; null without glyphs. A search takes too long for long
+   * texts at each key, so their box is at the last place that was found.
+   * @param isAtRest whether the user pauses
+   */
+  function measured(index: number, text: string, isAtRest = false): WordBox | null {
     const clean = bounded(text);
-    // A place is searched at each key, which takes too long for long texts.
-    return boxOn(clean.length > MOST_SEARCHED ? edited(index, { text: clean }, true) : rewritten(index, clean), index);
+    if (clean.length <= (isAtRest ? MOST_SEARCHED_AT_REST : MOST_SEARCHED)) {
+      searched = rewritten(index, clean);
+      return boxOn(searched, index);
+    }
+    const page = searched ?? edited(index, {}, true);
+    const words = (page?.words ?? []).map((word, i) => (i === index ? { ...word, text: clean } : word));
+    return boxOn(page && { ...page, words }, index);
   }
 
   function boxOn(page: PageDocument | null, index: number): WordBox | null {

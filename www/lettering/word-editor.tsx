@@ -2,6 +2,7 @@ import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';
 import { wordName } from '../document/word-names.ts';
 import { strings } from '../strings/strings.ts';
+import { createTimer } from '../engine/scheduler.ts';
 import { useApp } from '../ui/context.ts';
 import { liftAbove } from './above-keyboard.ts';
 import { capitals } from './word-fields.tsx';
@@ -18,6 +19,8 @@ const GAP = 8;
 const LEAST_PAD = 8;
 /** Width of the outline of the field, which stays on the page, in CSS pixels. */
 const OUTLINE = 3;
+/** Milliseconds without a key after which a long text gets a new place. */
+const REST = 400;
 /** Room between the text and the outline, in parts of the width: an oval is narrow at the ends. */
 const PADS = { balloon: 0.1, caption: 0.05, effect: 0.03 };
 
@@ -41,8 +44,9 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
   useLayoutEffect(() => {
     const area = field.current as HTMLTextAreaElement;
     const page = area.closest('.page') as HTMLElement;
-    const fit = () => {
-      const now = lettering.measured(index, area.value || word.text) ?? box;
+    const resting = createTimer();
+    const fit = (isAtRest = false) => {
+      const now = lettering.measured(index, area.value || word.text, isAtRest) ?? box;
       const text = now.size * page.clientWidth;
       const largest = isEffect ? Math.min(MOST_FOR_EFFECTS, text) : text;
       area.style.fontSize = `${largest}px`;
@@ -61,9 +65,12 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       }
     };
     fit();
-    area.addEventListener('input', fit);
+    area.addEventListener('input', () => {
+      fit();
+      resting.start(REST, () => fit(true));
+    });
     // A keyboard of the screen can make the page smaller.
-    const resized = new ResizeObserver(fit);
+    const resized = new ResizeObserver(() => fit());
     resized.observe(page);
     void loadFont(box.font).then(() => area.isConnected && fit());
     // The focus brings the keyboard of the screen, which makes the window that is seen lower a moment later.
@@ -72,6 +79,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
     area.select();
     return () => {
       resized.disconnect();
+      resting.stop();
       lower();
       if (lettering.editing.peek() === index) lettering.editing.value = -1;
     };
