@@ -7,6 +7,7 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { onEscape } from '../ui/on-escape.ts';
+import { isTap } from '../ui/pointing.ts';
 import { after } from '../engine/scheduler.ts';
 import type { Layer, Place } from '../engine/types.ts';
 
@@ -67,7 +68,8 @@ export function useCardDrag(onDrop: (source: Source, to: Place) => void) {
     let gap: Place | null = null;
     let moved = false;
     let frame = 0;
-    let ready = mouse || handle;
+    const needsHold = !mouse && !handle;
+    let ready = !needsHold;
     cancel.current();
     const watch = new AbortController();
     const { signal } = watch;
@@ -122,10 +124,11 @@ export function useCardDrag(onDrop: (source: Source, to: Place) => void) {
     );
     window.addEventListener(
       'pointerup',
-      ({ pointerId }) => {
-        if (pointerId !== event.pointerId) return;
+      (up) => {
+        if (up.pointerId !== event.pointerId) return;
         end();
-        if (moved && gap) onDrop(source, gap);
+        if (needsHold && isTap(event, up, HOLD)) lifted.current = false;
+        else if (moved && gap) onDrop(source, gap);
       },
       { signal },
     );

@@ -6,6 +6,7 @@
 import { useRef, useState } from 'preact/hooks';
 import { onEscape } from './on-escape.ts';
 import { after } from '../engine/scheduler.ts';
+import { isTap } from './pointing.ts';
 
 /** The index of the dragged item, and the gap where it would land. */
 type Carried = { from: number; gap: number | null };
@@ -81,9 +82,10 @@ export function useListDrag({ list: listOf, item: itemOf }: Where, onDrop: (from
     );
     held.addEventListener(
       'pointerup',
-      () => {
+      (up) => {
         end();
-        if (!holds || gap === null) return;
+        if (!mouse && isTap(event, up, PRESS)) dragged.current = false;
+        if (!dragged.current || gap === null) return;
         // Removing it moves later ones up by one.
         const to = from < gap ? gap - 1 : gap;
         if (to !== from) onDrop(from, to);

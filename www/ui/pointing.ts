@@ -29,8 +29,15 @@ export function pointing(id: string, point: Point) {
 
 type Of<T> = T & { currentTarget: HTMLElement };
 
+/**
+ * Returns whether a press was too short for a long press of that many milliseconds. While the app is busy, the timer of a
+ * long press can end before the app learns that the finger was lifted.
+ */
+export const isTap = (down: Event, up: Event, hold: number) => up.timeStamp - down.timeStamp < hold;
+
 /** Points at it once the finger has stayed, until it is lifted; then no click follows. */
-function hold({ clientX, clientY, currentTarget: element }: Of<PointerEvent>, id: string, point: Point) {
+function hold(down: Of<PointerEvent>, id: string, point: Point) {
+  const { clientX, clientY, currentTarget: element } = down;
   const watch = new AbortController();
   const { signal } = watch;
   let held = false;
@@ -38,15 +45,15 @@ function hold({ clientX, clientY, currentTarget: element }: Of<PointerEvent>, id
     held = true;
     point(id, element);
   });
-  const end = () => {
+  const end = (event: PointerEvent) => {
     cancel();
     watch.abort();
     if (!held) return;
     point(null);
-    swallowClick(element);
+    if (!isTap(down, event, HOLD)) swallowClick(element);
   };
   const move = (event: PointerEvent) => {
-    if (!held && Math.hypot(event.clientX - clientX, event.clientY - clientY) > SLACK) end();
+    if (!held && Math.hypot(event.clientX - clientX, event.clientY - clientY) > SLACK) end(event);
   };
   window.addEventListener('pointermove', move, { signal });
   window.addEventListener('pointerup', end, { signal });
