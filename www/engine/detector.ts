@@ -105,7 +105,7 @@ export function createDetector(
   }
 
   /**
-   * Also the small faces and those of persons, by looking at parts of the photo.
+   * Also finds small faces and the faces of persons. It searches parts of the photo.
    * @param id of an imported photo
    * @param boxes the faces found at first
    * @param objects the objects of the photo

@@ -221,8 +221,8 @@ fn is_near_person(photo: &Image, object: &Detection) -> bool {
 
 /// Whether a face is where the face of a person is.
 fn is_face_of(person: &Detection, [left, top, right, bottom]: [f64; 4]) -> bool {
-    let aside = ((left + right) / 2.0 - person.x - person.width / 2.0).abs();
-    let below = (top + bottom) / 2.0 - person.y;
+    let aside = (f64::midpoint(left, right) - person.x - person.width / 2.0).abs();
+    let below = f64::midpoint(top, bottom) - person.y;
     aside <= HEAD.0 / 2.0 * person.width && (0.0..=HEAD.1 * person.height).contains(&below)
 }
 
