@@ -90,9 +90,10 @@ impl<'a> Judge<'a> {
         Self { view, sums: photo.energy.sums(), weights, roles }
     }
 
-    /// Returns the candidates that break the fewest rules. The rules, in this order: the focus is visible, a face is
-    /// included and none is cut. The same holds for heads, for most of each head, also of animals and of people without a known face. No animal is
-    /// cut. If `wide`, the crop has enough of the photo. No subject is cut, and the enlargement is limited.
+    /// Returns the candidates that break the fewest rules. The rules, in this order: the focus is visible, a face is included
+    /// and none is cut. The same holds for heads, then for most of each head, and for heads of animals and of people without a
+    /// known face. No animal is cut. If `wide`, the crop has enough of the photo. No subject is cut, and the enlargement is
+    /// limited.
     pub(super) fn admitted(&self, candidates: Vec<Crop>, wide: bool) -> Vec<Crop> {
         let most = candidates.iter().map(|crop| crop.width * crop.height).fold(0.0, f64::max);
         let (faces, heads): (Vec<Area>, Vec<Area>) =
