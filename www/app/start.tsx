@@ -1,5 +1,6 @@
 /**
- * The start screen: one sentence, two buttons, a promise, pages of the sample album, and recent projects.
+ * The start screen: one sentence, two buttons, a promise, pages of the sample album, and recent projects. `index.html` has its
+ * pictures, which this view takes over.
  */
 
 import { strings } from '../strings/strings.ts';
@@ -14,6 +15,8 @@ import { RecentProjects } from '../storage/recent-projects.tsx';
 
 /** Pages of the sample album, made with this app; `public/samples/PROVENANCE.md` names the photos. */
 const PAGES = ['line', 'moonlight', 'golden-age'];
+/** Their width on the screen, also in `index.html`. */
+const SIZES = '(width <= 760px) min(36vw, 19dvh), 270px';
 
 /** Whether the pointer is a finger, which cannot drop files. */
 const isTouch = () => window.matchMedia('(pointer: coarse)').matches;
@@ -25,7 +28,15 @@ export function Start() {
       <div class="start-body">
         <div class="start-pages" role="img" aria-label={strings.startPages}>
           {PAGES.map((page) => (
-            <img key={page} src={`start/${page}.webp`} alt="" width="420" height="594" />
+            <img
+              key={page}
+              src={`./start/${page}.webp`}
+              srcset={`./start/${page}-small.webp 300w, ./start/${page}.webp 420w`}
+              sizes={SIZES}
+              alt=""
+              width="420"
+              height="594"
+            />
           ))}
         </div>
         <div class="start-words">

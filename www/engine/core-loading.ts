@@ -9,13 +9,19 @@ import type { Program } from './protocol.ts';
 
 const ADDRESS = new URL('../pkg/inkpanel_bg.wasm', import.meta.url);
 
-/** Maximum wait for the first paint, in milliseconds. A background tab never paints. */
-const UNPAINTED = 50;
+/** Maximum wait for the first pictures in milliseconds, and in a background tab, which never paints. */
+const [UNPAINTED, HIDDEN] = [1_000, 50];
 
-/** Waits for the first paint, which downloads and compilation would delay, by seconds on a phone. */
+/** Waits until the pictures of the page are painted, which downloads and compilation would delay, by seconds on a phone. */
 function painted(): Promise<void> {
-  const frame = new Promise((done) => globalThis.requestAnimationFrame?.(done)).then(nextTask);
-  return Promise.race([frame, pause(UNPAINTED)]);
+  const { document, requestAnimationFrame } = globalThis;
+  if (!document || !requestAnimationFrame) return Promise.resolve();
+  const loaded = new Promise<unknown>((done) => {
+    if (document.readyState === 'complete') done(null);
+    else globalThis.addEventListener('load', done, { once: true });
+  });
+  const frame = loaded.then(() => new Promise((done) => requestAnimationFrame(done))).then(nextTask);
+  return Promise.race([frame, pause(document.hidden ? HIDDEN : UNPAINTED)]);
 }
 
 async function load(): Promise<Program> {

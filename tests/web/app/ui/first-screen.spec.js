@@ -292,3 +292,52 @@ test('the start screen shows three pages, and the projects of a person who retur
   await recent.getByRole('button', { name: `Open ${name}` }).click();
   await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
 });
+
+for (const viewport of [
+  { width: 390, height: 844 },
+  { width: 1280, height: 800 },
+]) {
+  test(`the pictures of the start screen come before the scripts and stay, in ${viewport.width} pixels`, async ({
+    page,
+  }) => {
+    await page.setViewportSize(viewport);
+    const scripts = await holdScripts(page);
+    const pictures = page.locator('.start-pages img');
+    const sizes = () => pictures.evaluateAll((all) => all.map((one) => /** @type {any} */ (one).naturalWidth > 0));
+    await expect.poll(sizes).toEqual([true, true, true]);
+    const before = await pictures.first().boundingBox();
+    const first = await pictures.first().elementHandle();
+    scripts.release();
+    await expect(page.getByRole('button', { name: 'Choose photos or a video' })).toBeVisible();
+    expect(await first?.evaluate((one) => one.isConnected)).toBe(true);
+    const after = await pictures.first().boundingBox();
+    expect(after?.x).toBe(before?.x);
+    expect(Math.abs(Number(after?.y) - Number(before?.y))).toBeLessThan(24);
+  });
+}
+
+test('the pictures of the start screen are hidden if a project opens', async ({ page }) => {
+  await page.addInitScript(() => localStorage.setItem('inkpanel.project', 'a project'));
+  const scripts = await holdScripts(page);
+  const pictures = page.locator('.start-pages img');
+  await expect(pictures).toHaveCount(3);
+  await page.waitForFunction(() => document.styleSheets.length > 0);
+  await expect(pictures.first()).toBeHidden();
+  scripts.release();
+  // This browser does not have the project.
+  await expect(pictures.first()).toBeVisible();
+});
+
+/** Opens the app, whose scripts wait until they are released. @param {Page} page */
+async function holdScripts(page) {
+  let release = () => {};
+  const released = new Promise((done) => {
+    release = () => done(undefined);
+  });
+  await page.route('**/assets/*.js', async (route) => {
+    await released;
+    await route.continue();
+  });
+  await page.goto('./', { waitUntil: 'commit' });
+  return { release };
+}

@@ -57,7 +57,7 @@ for (const [chosen, system, colour] of /** @type {const} */ ([
     await page.goto('./', { waitUntil: 'commit' });
     await page.waitForFunction(() => performance.getEntriesByType('resource').some(({ name }) => /css$/.test(name)));
     await page.waitForFunction(() => document.styleSheets.length > 0 && document.body);
-    expect(await page.evaluate(() => document.getElementById('app')?.childElementCount)).toBe(0);
+    expect(await page.evaluate(() => document.querySelector('.start-words')?.childElementCount)).toBe(0);
     expect(await background(page)).toBe(colour);
     await page.unrouteAll();
   });
