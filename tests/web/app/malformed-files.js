@@ -7,6 +7,7 @@
 import { readFileSync } from 'node:fs';
 import { pngOf, chunkOf, textChunk, withChunks } from '../../../www/engine/png-chunks.ts';
 import { archiveOf } from '../../../www/engine/archive.ts';
+import { expanded, recordIn } from '../../../www/engine/interned.ts';
 import { withProject } from '../../../www/storage/files/page-file.ts';
 
 /** @typedef {{ name: string, blob: Blob }} Entry */
@@ -318,11 +319,16 @@ export function essence({ projects, states, ...rest }) {
   const about = Object.values(projects).map(
     ({ changed: _changed, stamp: _stamp, picture: _picture, ...record }) => record,
   );
-  const kept = Object.values(states).map(({ stamp: _stamp, history, ...record }) => ({
+  const kept = Object.values(states).map(({ stamp: _stamp, bytes, ...record }) => ({
     ...record,
-    history: unshared(history),
+    history: unshared(historyIn({ bytes })),
   }));
   return { about, kept, ...rest };
+}
+
+/** Returns the history in a record of the table `states`, whose bytes are an object here. @param {any} record */
+export function historyIn({ bytes }) {
+  return expanded(recordIn(Uint8Array.from(Object.values(bytes))).history);
 }
 
 /** Returns a history without the lists that all projects share. @param {any} history */

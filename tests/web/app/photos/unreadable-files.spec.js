@@ -110,6 +110,8 @@ test('if no file is readable, the start screen says so and accepts other files',
   await (await dialog).setFiles([file('notes.txt', Buffer.from('no photo'))]);
   const toast = alert(page).locator('.toast');
   await expect(toast).toContainText('notes.txt');
+  // The message moves to its place.
+  await toast.evaluate((one) => Promise.all(one.getAnimations().map(({ finished }) => finished)));
   const [button, near] = [await choose.boundingBox(), await toast.boundingBox()];
   expect(Math.abs(Number(near?.y) - Number(button?.y) - Number(button?.height))).toBeLessThan(30);
   expect(Number(near?.x)).toBeLessThan(Number(button?.x) + Number(button?.width));

@@ -6,7 +6,15 @@
  */
 
 import { readFileSync } from 'node:fs';
-import { essence, malformedPage, malformedProject, soundPage, soundProject, unshared } from '../malformed-files.js';
+import {
+  essence,
+  historyIn,
+  malformedPage,
+  malformedProject,
+  soundPage,
+  soundProject,
+  unshared,
+} from '../malformed-files.js';
 import { SMALL, expectSaved, goodFiles } from '../project-files.js';
 import { add, expect, idle, press, test } from '../support.js';
 import { tables } from '../database.js';
@@ -233,8 +241,8 @@ async function openMalformed(page, count) {
   // The document in memory is unchanged too: an edit adds one step to it.
   await press(page, 'Lock layout');
   await expectSaved(page);
-  const after = (await tables(page, { of: id })).states[id].history;
-  const { history } = before.tables.states[id];
+  const after = await contentsOf(page, id);
+  const history = historyIn(before.tables.states[id]);
   const wanted = {
     ...history,
     past: [...history.past, history.present],
@@ -259,7 +267,7 @@ test('1,000 malformed projects and pages leave the open project as it was, byte 
 
 /** @param {Page} page @param {string} id */
 async function contentsOf(page, id) {
-  return (await tables(page, { of: id })).states[id].history;
+  return historyIn((await tables(page, { of: id })).states[id]);
 }
 
 test('the app loads again after a malformed file', async ({ page }) => {
