@@ -33,7 +33,7 @@ export type Item = {
  * Mean difference of two signatures, in steps of 255, up to which they look the same: in any colours, and with one main
  * colour. A small coloured subject changes the mean little, but its hue.
  */
-const [ALIKE, ALIKE_IN_HUE] = [7, 9];
+const [ALIKE, ALIKE_IN_HUE] = [7, 7.5];
 /** Maximum number of thumbnails, to limit memory. The oldest are removed, unless they are favourites. */
 const MOST = 1200;
 

@@ -357,9 +357,9 @@ describe('the wall', () => {
 it('signatures are near within a few steps, and within more steps if they have one main colour', () => {
   const filled = (...cell: number[]) => Uint8Array.from({ length: 432 }, (_, i) => cell[i % 4]);
   const red = filled(150, 90, 90, 20);
-  const [darker, rougher, dark] = [filled(139, 79, 79, 20), filled(150, 90, 90, 54), filled(135, 75, 75, 20)];
-  const [purple, orange] = [filled(142, 82, 102, 20), filled(150, 115, 90, 28)];
+  const [darker, rougher, dark] = [filled(140, 80, 80, 20), filled(150, 90, 90, 49), filled(135, 75, 75, 20)];
+  const [purple, orange] = [filled(142, 82, 102, 20), filled(150, 112, 90, 28)];
   expect([darker, rougher, dark].map((one) => near(red, one))).toEqual([true, true, false]);
-  // The first has another main colour at a distance of 7, the second at a distance of 8.25.
+  // The first has another main colour at a distance of 7, the second at a distance of 7.5.
   expect([purple, orange].map((one) => near(red, one))).toEqual([true, false]);
 });

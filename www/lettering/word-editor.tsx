@@ -19,7 +19,7 @@ const GAP = 8;
 const LEAST_PAD = 8;
 /** Width of the outline of the field, which stays on the page, in CSS pixels. */
 const OUTLINE = 3;
-/** Milliseconds without a key after which a long text gets a new place. */
+/** Pause in typing before a long text gets a new place, in milliseconds. */
 const REST = 400;
 /** Room between the text and the outline, in parts of the width: an oval is narrow at the ends. */
 const PADS = { balloon: 0.1, caption: 0.05, effect: 0.03 };

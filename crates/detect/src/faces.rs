@@ -47,7 +47,7 @@ const FILLING: f64 = 0.25;
 const AROUND_HEAD: [f64; 2] = [2.4, 1.2];
 /// Share of such a square above the person's box, which often cuts the hair.
 const ABOVE_HEAD: f64 = 0.12;
-/// Score from which a face of a person counts.
+/// Minimum score of the face of a person.
 const OF_PERSON: f64 = 0.6;
 /// Part of the score that such a face keeps. It is often turned, masked or blurred. Plans then value its person like one without
 /// a face, unless the face is very certain, and styles and crops protect the face.
