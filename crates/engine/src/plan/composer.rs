@@ -33,6 +33,9 @@ const LARGE: f64 = 1.25;
 /// Usual number of panels, and the cost of each panel less. The fit is a mean, so pages with few panels fit best.
 const USUAL: usize = 5;
 const FEW: f64 = 0.2;
+/// The part of a side of the leading panel that its largest person or animal should fill, and the cost if there is none.
+const FILLS: f64 = 0.7;
+const FAR: f64 = 0.4;
 /// Bonus of a close crop next to the complete photo.
 const NEARER: f64 = 0.05;
 /// Differences in the visible size of a subject that separate close, middle and wide shots.
@@ -256,7 +259,8 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         // The user expects to see a starred photo large, so other pages get a penalty.
         let large = if sizes[hero] < LARGE { -1.5 } else { 0.0 };
         let star = if photos.all[photo].starred { 3.0 * leads + large } else { -3.0 };
-        match_ + if starred { star } else { 0.0 }
+        let far = (1.0 - seen[hero].figure / FILLS).max(0.0);
+        match_ - FAR * far + if starred { star } else { 0.0 }
     });
     let mut alike = 0.0;
     for (i, &a) in chosen.iter().enumerate() {
@@ -330,7 +334,7 @@ pub fn gallery<'a>(photos: &'a [PhotoMeta], shelf: &'a super::Shelf) -> Photos<'
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::framing::Subject;
+    use crate::framing::{Crop, Subject};
     use crate::layout::{PageSettings, find, resolve};
     use crate::plan::{Shelf, slots};
 
@@ -364,6 +368,46 @@ mod tests {
             plan.panels.iter().filter(|panel| panel.photo == 0).count()
         };
         assert_eq!((repeats(1), repeats(2)), (1, 2));
+    }
+
+    #[test]
+    fn a_leading_photo_shows_people_from_near_or_a_large_group() {
+        /// Height of a person, as a part of the photo.
+        const HIGH: f64 = 0.28;
+        let page = PageSettings::default();
+        let slots = slots(&resolve(find("hero-top-3").unwrap(), page.aspect(), &page), f64::from(page.width));
+        let candidate = Candidate { slots, prior: 1.0, layout: 0, family: "hero" };
+        // The lead term of people in a crop of that part of the photo.
+        let hero = |people: u32, with_faces: bool, part: f64| {
+            let mut photo = PhotoMeta::unmeasured("people", 4000, 4000);
+            let subject = |label: &str, x: f64, side: f64| Subject {
+                x,
+                y: 0.3,
+                width: side / 4.0,
+                height: side,
+                label: label.into(),
+                score: 0.95,
+                points: None,
+                expression: None,
+                light: None,
+            };
+            let person = |i: u32| {
+                let x = 0.3 + 0.08 * f64::from(i);
+                let face = with_faces.then(|| subject(FACE, x, HIGH / 5.0));
+                std::iter::once(subject("person", x, HIGH)).chain(face)
+            };
+            photo.find((0..people).flat_map(person));
+            let all = [photo];
+            let shelf = Shelf::new(1);
+            let crop = Crop { x: 0.25, y: 0.25, width: part, height: part };
+            let panels = vec![Assignment { photo: 0, crop }; candidate.slots.len()];
+            judge(&candidate, &panels, &gallery(&all, &shelf)).hero
+        };
+        let (far, near) = (hero(1, true, 0.7), hero(1, true, 0.4));
+        assert!((near - far - FAR * (1.0 - HIGH / 0.7 / FILLS)).abs() < 0.02, "{far} {near}");
+        assert!((near - hero(1, false, 0.4) - FAR).abs() < 0.02, "people without faces do not count");
+        let group = hero(5, true, 0.7);
+        assert!((near - group).abs() < 0.02, "{near} {group}");
     }
 
     #[test]

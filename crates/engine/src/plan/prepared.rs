@@ -108,6 +108,17 @@ pub enum Kind {
     Document,
 }
 
+/// Kind of subject. Each kind has rules for crops.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    Face,
+    Lettering,
+    Animal,
+    /// The body of a person whose face is known.
+    Body,
+    Other,
+}
+
 /// A subject as plans see it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mark {
@@ -115,10 +126,7 @@ pub(super) struct Mark {
     pub(super) grown: Bounds,
     /// The box itself.
     pub(super) bare: Bounds,
-    pub(super) face: bool,
-    pub(super) text: bool,
-    /// Whether it is the body of a person whose face is known.
-    pub(super) body: bool,
+    pub(super) part: Part,
     /// The upper part of an animal, or of a person whose face is not known, with the head.
     pub(super) head: Option<Bounds>,
     /// Penalty for cutting it: 0 for surroundings, and low for a body whose face is known.
@@ -136,7 +144,7 @@ impl Prepared {
         let marks: Vec<Mark> =
             photo.marked().filter(|s| !photo.is_headless(s)).filter_map(|s| mark(&s, photo)).collect();
         let ratings: Vec<f64> =
-            marks.iter().map(|mark| mark.weight + if mark.face { 1e3 } else { 0.0 }).collect();
+            marks.iter().map(|mark| mark.weight + if mark.part == Part::Face { 1e3 } else { 0.0 }).collect();
         let marks: Vec<Mark> =
             best_first(&ratings).into_iter().take(MOST_MARKS).map(|at| marks[at]).collect();
         let (care, kind) = care(photo);
@@ -389,16 +397,14 @@ fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
         height: if s.is_animal() { ANIMAL_HEAD } else { PERSON_HEAD } * s.height,
         ..bounds(s)
     });
-    Some(Mark {
-        head,
-        grown: bounds(&grown),
-        bare: bounds(s),
-        face: s.label == FACE,
-        text: s.label == LETTERING,
-        body: portrait,
-        whole,
-        weight,
-    })
+    let part = match s.label.as_str() {
+        FACE => Part::Face,
+        LETTERING => Part::Lettering,
+        _ if s.is_animal() => Part::Animal,
+        _ if portrait => Part::Body,
+        _ => Part::Other,
+    };
+    Some(Mark { part, head, grown: bounds(&grown), bare: bounds(s), whole, weight })
 }
 
 /// The analysis of one photo, computed on the first request. Clones share it.

@@ -1,6 +1,6 @@
 //! Rates the crop of a photo in a panel by its visible content.
 
-use super::prepared::{Mark, Prepared};
+use super::prepared::{Mark, Part, Prepared};
 use super::slots::Slot;
 use crate::framing::{Crop, MEDIUM, PhotoMeta, Region};
 use crate::layout::Bounds;
@@ -26,6 +26,8 @@ const READABLE: (f64, f64) = (0.05, 0.055);
 const GROUP_FACE: f64 = 0.05;
 /// Minimum height of a face in a group, relative to the largest one. A smaller face is a passer-by.
 const OF_THE_GROUP: f64 = 0.5;
+/// Number of faces that make a photo a large group. It may lead although each person is small.
+const LARGE_GROUP: usize = 5;
 /// Total weight of the subjects at which they decide the result entirely.
 const STRONG: f64 = 0.25;
 /// The part of a head or of lettering that other panels must leave.
@@ -60,6 +62,9 @@ pub struct Look {
     pub split: f64,
     /// The part of the panel that the main subject takes; 0 without one.
     pub close: f64,
+    /// The longer side of the largest animal, or person with a known face, as a part of that side of the panel: 0 without one,
+    /// 1 for a large group.
+    pub figure: f64,
     /// Faces, heads and lettering below other panels.
     pub hidden: f64,
     /// Whether it is a close-up of a face in a photo that another panel shows completely.
@@ -86,19 +91,27 @@ impl Look {
         let mut worst = 0.0f64;
         let mut faces = Vec::new();
         let total: f64 = prepared.marks.iter().map(|mark| mark.weight).sum();
-        let tallest =
-            prepared.marks.iter().filter(|mark| mark.face).map(|mark| mark.bare.height).fold(0.0, f64::max);
+        let tallest = prepared
+            .marks
+            .iter()
+            .filter(|mark| mark.part == Part::Face)
+            .map(|mark| mark.bare.height)
+            .fold(0.0, f64::max);
         let (mut cover, mut cut, mut split, mut heaviest) = (0.0, 0.0, 0.0, 0.0);
         for mark in &prepared.marks {
             let grown = place(crop, mark.grown);
             let (all, most) = shares(slot, grown);
             // A medium shot cuts a body below the waist.
-            let medium = mark.body && (MEDIUM.0..MEDIUM.1).contains(&all);
-            cover += mark.weight * if mark.body { (all / MEDIUM.0).min(1.0) } else { all };
-            if (mark.face || mark.text) && all < SEEN && under_others(slot, grown) {
+            let medium = mark.part == Part::Body && (MEDIUM.0..MEDIUM.1).contains(&all);
+            cover += mark.weight * if mark.part == Part::Body { (all / MEDIUM.0).min(1.0) } else { all };
+            if matches!(mark.part, Part::Face | Part::Lettering) && all < SEEN && under_others(slot, grown) {
                 look.hidden += 1.0;
             }
-            if mark.face {
+            if matches!(mark.part, Part::Animal | Part::Body) {
+                let inner = place(crop, mark.bare);
+                look.figure = look.figure.max(all * inner.width.max(inner.height));
+            }
+            if mark.part == Part::Face {
                 let inner = place(crop, mark.bare);
                 let (bare, in_one) = shares(slot, inner);
                 if bare > 0.8 {
@@ -134,10 +147,13 @@ impl Look {
                 heaviest = mark.weight;
                 let inner = place(crop, mark.bare);
                 look.close = (inner.width * inner.height).min(1.0);
-                let readable = if mark.face { READABLE.0 } else { READABLE.1 };
+                let readable = if mark.part == Part::Face { READABLE.0 } else { READABLE.1 };
                 let high = inner.height * slot.bounds.height;
                 look.too_small = (1.0 - high / readable).max(0.0);
             }
+        }
+        if faces.len() >= LARGE_GROUP {
+            look.figure = 1.0;
         }
         let say = (total / STRONG).min(1.0);
         let subjects = if total > 0.0 { cover / total } else { 0.0 };
