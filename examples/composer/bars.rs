@@ -15,7 +15,7 @@ use inkpanel_engine::plan::slots::LEADS;
 use rayon::prelude::*;
 
 use crate::seen::seen;
-use crate::{Failure, Photo, page};
+use crate::{Failure, Photo, page, shuffles};
 
 const PAGES: u32 = 200;
 /// Text above the table.
@@ -57,7 +57,7 @@ pub(crate) fn write(photos: &[Photo], output: &str) -> Result<(), Failure> {
         counted(&planned.document, &album, photos)
     };
     let pages = (1..=PAGES).into_par_iter().map(shelves).collect::<Result<Vec<Counted>, Failure>>()?;
-    let text = format!("{ABOUT}{}{}", table(&pages), times(photos)?);
+    let text = format!("{ABOUT}{}{}{}", table(&pages), shuffles::rows(photos)?, times(photos)?);
     if output == "-" {
         print!("{text}");
     } else {
@@ -154,7 +154,8 @@ fn counted(document: &Document, album: &[PhotoMeta], photos: &[Photo]) -> Result
     Ok(counted)
 }
 
-fn size(panel: &ResolvedPanel) -> f64 {
+/// The area of a panel.
+pub(crate) fn size(panel: &ResolvedPanel) -> f64 {
     match &panel.shape {
         ResolvedShape::Circle { radius, .. } => std::f64::consts::PI * radius * radius,
         ResolvedShape::Polygon(corners) => polygon::area(corners),

@@ -10,6 +10,7 @@
 mod bars;
 #[path = "../sheets/seen.rs"]
 mod seen;
+mod shuffles;
 
 use std::path::{Path, PathBuf};
 
