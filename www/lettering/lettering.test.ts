@@ -286,6 +286,22 @@ describe('words', () => {
     expect(lettering.textOf(0)).toBe('old');
   });
 
+  test('the draft has the text that is typed, until the edit ends', async () => {
+    await lettering.add('balloon');
+    lettering.write(0, 'old');
+    lettering.editing.value = 0;
+    lettering.measured(0, 'old');
+    expect(lettering.draft.value).toBeNull();
+    lettering.measured(0, 'older');
+    expect(lettering.draft.value?.words?.[0].text).toBe('older');
+    const long = 'x'.repeat(700);
+    lettering.measured(0, long);
+    expect(lettering.draft.value?.words?.[0].text).toBe(long);
+    expect(lettering.words.value[0].text).toBe('old');
+    lettering.write(0, 'older');
+    expect(lettering.draft.value).toBeNull();
+  });
+
   test('a drag is one step, and what was moved stays where it is through every shuffle', async () => {
     await lettering.add('balloon');
     const steps = past();

@@ -72,9 +72,12 @@ export function createLettering({
   const typed = signal('');
   /** The page after the last search for the place of this text. */
   let searched: PageDocument | null = null;
+  /** The page with this text, for drawing; null if the text did not change. */
+  const draft = signal<PageDocument | null>(null);
   effect(() => {
     typed.value = untracked(() => words.value)[editing.value]?.text ?? '';
     searched = null;
+    draft.value = null;
   });
   const mode: Signal<Mode | null> = signal(null);
   /** Words of photos that no page shows. */
@@ -90,6 +93,7 @@ export function createLettering({
     chosen,
     editing,
     typed,
+    draft,
     textOf,
     mode,
     rested: planning.rested,
@@ -131,18 +135,23 @@ export function createLettering({
 
   /**
    * Returns the box that a text item would have after its text changed; null without glyphs. A search takes too long for long
-   * texts at each key, so their box is at the last place that was found.
+   * texts at each key, so their box is at the last place that was found. Sets the draft to the page with this text.
    * @param isAtRest whether the user pauses
    */
   function measured(index: number, text: string, isAtRest = false): WordBox | null {
     const clean = bounded(text);
+    const page = retyped(index, clean, isAtRest);
+    draft.value = clean === words.peek()[index]?.text ? null : page;
+    return boxOn(page, index);
+  }
+
+  function retyped(index: number, clean: string, isAtRest: boolean): PageDocument | null {
     if (clean.length <= (isAtRest ? MOST_SEARCHED_AT_REST : MOST_SEARCHED)) {
       searched = rewritten(index, clean);
-      return boxOn(searched, index);
+      return searched;
     }
     const page = searched ?? edited(index, {}, true);
-    const words = (page?.words ?? []).map((word, i) => (i === index ? { ...word, text: clean } : word));
-    return boxOn(page && { ...page, words }, index);
+    return page && { ...page, words: page.words?.map((word, i) => (i === index ? { ...word, text: clean } : word)) };
   }
 
   function boxOn(page: PageDocument | null, index: number): WordBox | null {

@@ -8,7 +8,7 @@ import { liftAbove } from './above-keyboard.ts';
 import { capitals } from './word-fields.tsx';
 import { fontFamily, loadFont } from './word-fonts.ts';
 import { focusOn, placed } from './word-hands.ts';
-import type { WordBox } from '../engine/types.ts';
+import type { Word, WordBox } from '../engine/types.ts';
 
 /** Minimum width of the field, in CSS pixels. */
 const NARROWEST = 56;
@@ -17,6 +17,8 @@ const MOST_FOR_EFFECTS = 20;
 const GAP = 8;
 /** Minimum room above and below the text together, in CSS pixels. */
 const LEAST_PAD = 8;
+/** This room in a balloon, in parts of the height of its text: the round outline would cut the first and last lines. */
+const ROUND_PAD = 0.2;
 /** Width of the outline of the field, which stays on the page, in CSS pixels. */
 const OUTLINE = 3;
 /** Pause in typing before a long text gets a new place, in milliseconds. */
@@ -56,12 +58,12 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       const size = isEffect
         ? ([now.width, 0] as const)
         : ([Math.max(box.width, now.width), Math.max(box.height, now.height)] as const);
-      grow(area, page, size, PADS[word.kind]);
+      grow(area, page, size, word.kind);
       if (isEffect) moveBeside(area, page, now);
       // The font of the system may be wider than the font of the balloon, and then words would break.
       for (let text = largest - 1; area.scrollWidth > area.clientWidth && text > largest / 2; text -= 1) {
         area.style.fontSize = `${text}px`;
-        grow(area, page, size, PADS[word.kind]);
+        grow(area, page, size, word.kind);
       }
     };
     fit();
@@ -151,14 +153,15 @@ function keepInside(
  * Sets the size to the size of the balloon and its text. The page limits the size, because the window may end there.
  * @param size of the balloon in page widths
  */
-function grow(area: HTMLTextAreaElement, page: HTMLElement, size: readonly [number, number], pad: number) {
+function grow(area: HTMLTextAreaElement, page: HTMLElement, size: readonly [number, number], kind: Word['kind']) {
   const { style } = area;
   const [wide, high] = size.map((length) => length * page.clientWidth);
   const across = Math.max(NARROWEST, wide);
   Object.assign(style, { width: `${across}px`, height: '0', paddingBlock: '0', margin: '0' });
-  style.paddingInline = `${across * pad}px`;
+  style.paddingInline = `${across * PADS[kind]}px`;
   const text = area.scrollHeight;
-  const tall = Math.min(page.clientHeight - 2 * OUTLINE, Math.max(high, text + LEAST_PAD));
+  const pad = kind === 'balloon' ? Math.max(LEAST_PAD, text * ROUND_PAD) : LEAST_PAD;
+  const tall = Math.min(page.clientHeight - 2 * OUTLINE, Math.max(high, text + pad));
   const border = area.offsetHeight;
   style.height = `${tall}px`;
   style.paddingBlock = `${Math.max(0, (tall - text - border) / 2)}px`;

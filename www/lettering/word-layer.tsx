@@ -22,6 +22,10 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
   const words = lettering.words.value;
   const boxes = lettering.boxes.value;
   const editing = lettering.editing.value;
+  // While the user types, the drawn balloon follows the field.
+  const drawn = lettering.draft.value ?? page;
+  const latest = useRef(page);
+  latest.current = page;
 
   useEffect(() => {
     const alerts = messages.alertGroup();
@@ -30,7 +34,7 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
       subjectsOf: (document) => subjectsOf(store, document),
       onPainted: (document, whole) => {
         if (whole) alerts.clear();
-        ui.lettered.value = document;
+        ui.lettered.value = document && latest.current;
       },
       onError: (error) => alerts.report(strings.wordsFailed({ why: explain(error) })),
     });
@@ -40,8 +44,8 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
   const subjects = useSubjectsOf(page);
   const read = store.reading.value?.done;
   useEffect(() => {
-    if (width > 0) painter.current?.show(page, width);
-  }, [page, width, subjects, read]);
+    if (width > 0) painter.current?.show(drawn, width);
+  }, [drawn, page, width, subjects, read]);
 
   return (
     <>

@@ -41,6 +41,36 @@ test('text items are added, edited and drawn, and each step can be undone', asyn
   await expect(word(page, 'Balloon: HELLO')).toBeVisible();
 });
 
+test('while a text is typed, its drawn balloon has the place and size that it gets', async ({ page }) => {
+  await openBoard(page);
+  await write(page, 'balloon', 'Well.');
+  const short = await inked(page);
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('This text is much longer, so that the balloon needs more room and often another place.');
+  await expect.poll(async () => (await inked(page)).count).toBeGreaterThan(1.5 * short.count);
+  await idle(page);
+  const typed = await inked(page);
+  await page.keyboard.press('Enter');
+  await idle(page);
+  expect(await inked(page)).toEqual(typed);
+});
+
+test('the first and the last line of a typed text are inside the round outline', async ({ page }) => {
+  await openBoard(page);
+  await openWords(page);
+  await page.getByRole('button', { name: 'Add balloon' }).click();
+  const field = page.getByRole('textbox', { name: /^Text of/ });
+  await expect(field).toBeFocused();
+  const pads = [];
+  for (const typed of 'This text is much longer so that the balloon needs more room and often another place'.split(
+    ' ',
+  )) {
+    await page.keyboard.type(`${typed} `);
+    pads.push(await field.evaluate((area) => Number.parseFloat(getComputedStyle(area).paddingTop) / area.clientHeight));
+  }
+  expect(Math.min(...pads)).toBeGreaterThan(0.04);
+});
+
 test('a title goes from one side of the page to the other, and Undo removes it', async ({ page }) => {
   await openBoard(page);
   await write(page, 'title', 'Summer');
