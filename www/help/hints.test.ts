@@ -25,7 +25,7 @@ async function begun({ kept = {} as Record<string, string>, refuses = false } = 
     framing.closer(0, 1.5);
     draw();
   };
-  return { hints, ui, draw, shuffle, drag, pages, selection, lettering, kept, shown: () => hints.shown.value };
+  return { hints, ui, draw, shuffle, drag, pages, selection, framing, lettering, kept, shown: () => hints.shown.value };
 }
 
 it('tells of Shuffle once the page is drawn, until it is shuffled', async () => {
@@ -69,6 +69,24 @@ it('ends the hint about photos when its panel is not selected any more', async (
   expect(shown()).toBe('crop');
   selection.clear();
   expect(shown()).toBe(null);
+});
+
+it('ends the hint about photos when the crop ends, when another tool waits for a click, and with two panels', async () => {
+  const ends: ((parts: Awaited<ReturnType<typeof begun>>) => void)[] = [
+    ({ framing }) => void (framing.cropping.value = null),
+    ({ framing }) => void (framing.mode.value = { kind: 'replace', panel: 0 }),
+    ({ selection }) => selection.set([0, 1]),
+  ];
+  for (const end of ends) {
+    const parts = await begun();
+    parts.draw();
+    parts.shuffle();
+    parts.selection.set([0]);
+    parts.framing.cropping.value = 0;
+    expect(parts.shown()).toBe('crop');
+    end(parts);
+    expect(parts.shown()).toBe(null);
+  }
 });
 
 it('ends the hint about photos when the next page comes, and the hint about locks after two more', async () => {

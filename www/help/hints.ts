@@ -52,6 +52,8 @@ export function createHints({
   let before = 0;
   /** Whether the hint about photos is about a selected panel. */
   let ofSelection = false;
+  /** Whether the user cropped a photo since the hint about photos. */
+  let cropped = false;
 
   const panel = computed(() => selection.panels.value[0] ?? pointed.value);
   /** Whether no other element needs the user's attention. */
@@ -83,15 +85,21 @@ export function createHints({
   const done: Record<Hint, () => boolean> = {
     // A user who selects something needs no hint for Shuffle.
     shuffle: () => shuffles.value > 0 || selects.value,
-    // The hint ends if the user shuffles again, works on a text item, or leaves the panel.
+    // The hint ends if the user shuffles again, works on a text item, ends the crop, or leaves the panel.
     crop: () =>
       shuffles.value > before ||
+      (framing.cropping.value === null && cropped) ||
+      framing.mode.value !== null ||
+      selection.panels.value.length > 1 ||
       (ofSelection && selection.panels.value.length === 0) ||
       lettering.chosen.value >= 0 ||
       (cropsOf(store.page.value) !== crops && (store.page.value?.panels.some(({ edited }) => edited) ?? false)),
     lock: () => locked.value || lettering.chosen.value >= 0 || shuffles.value >= before + ENOUGH,
   };
 
+  effect(() => {
+    if (framing.cropping.value !== null) cropped = true;
+  });
   effect(() => {
     const hint = current.value;
     if (hint !== null && done[hint]()) current.value = null;
@@ -103,6 +111,7 @@ export function createHints({
     crops = cropsOf(store.page.peek());
     before = shuffles.peek();
     ofSelection = selection.panels.peek().length > 0;
+    cropped = framing.cropping.peek() !== null;
     current.value = next;
     remember(new Set([...seen.peek(), next]));
   });
