@@ -269,6 +269,22 @@ for (const viewport of [
   });
 }
 
+test('a message is at the lower right on every screen, where lists scroll', async ({ page }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await openBoard(page);
+  const broken = { name: 'broken.jpg', mimeType: 'image/jpeg', buffer: Buffer.from('no photo') };
+  await page.locator('input[type=file]').first().setInputFiles(broken);
+  const message = page.locator('.toast');
+  await expect(message).toBeVisible();
+  for (const screen of ['Storyboard', 'Style designer', 'Projects']) {
+    await press(page, screen);
+    const box = await message.boundingBox();
+    if (!box) throw new Error('no message');
+    expect(box.x + box.width, screen).toBeGreaterThan(1400);
+    expect(box.y + box.height, screen).toBeGreaterThan(860);
+  }
+});
+
 test('the start screen shows three pages, and the projects of a person who returns', async ({ page }) => {
   await openStart(page);
   const pages = page.getByRole('img', { name: 'Three comic pages made from the sample album' });
