@@ -170,21 +170,22 @@ export function toolsFor({
   if (!wide) return null;
   const isFirst = store.pageHistory.value.length < 2;
   // A book is offered as long as many photos are on no page.
-  const isAlbum = !pages.several.value && pages.areManyLeft.value && isEnabled(book.make);
+  const several = pages.several.value;
+  const isAlbum = !several && pages.areManyLeft.value && isEnabled(book.make);
   const offers = [...(isEnabled(page.acceptCrops) ? [page.acceptCrops] : []), ...(isAlbum ? [book.make] : [])];
   return {
     kind: 'page',
     title: strings.sideTab.page,
     tools: [
       ...offers,
-      // With several pages, the list of pages has the button.
-      ...(pages.several.value ? [] : [book.add]),
+      // With several pages, the list of pages has these buttons.
+      ...(several ? [] : [book.add]),
       ...[
         layouts.edit,
-        ...(isAlbum ? [] : [book.make]),
+        ...(isAlbum || several ? [] : [book.make]),
         ...(isEnabled(book.makeChapters) ? [book.makeChapters] : []),
-        book.spread,
         styles.edit,
+        book.spread,
         styles.shuffleSettings,
         panels.select,
       ],

@@ -43,9 +43,10 @@ test('the photo of the cover is chosen from any page of a book', async ({ page }
   await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
   await thumb(page, 3).click();
   await idle(page);
-  // The button is in one place only, also among the other tools of the page.
+  // The buttons of the book are in one place only, also among the other tools of the page.
   await page.getByRole('toolbar', { name: 'Panel tools' }).getByRole('button', { name: 'More' }).click();
   await expect(page.getByRole('button', { name: 'Choose cover photo' })).toHaveCount(1);
+  await expect(page.getByRole('button', { name: 'Make a book', exact: true })).toHaveCount(1);
   await page.getByRole('region', { name: 'Pages' }).getByRole('button', { name: 'Choose cover photo' }).click();
   await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
   await idle(page);
