@@ -80,6 +80,10 @@ it('controls of blocks have plain names in English; technical terms are only in 
   expect([...texts, ...named].filter((text) => /\b(bypass|channels?|knee|luma|percentile)\b/i.test(text))).toEqual([]);
 });
 
+it('an acronym among the choices of a block stays in capitals', () => {
+  expect(['en', 'de', 'fr'].map((code) => inLanguage(code).choiceName('cmyk'))).toEqual(['CMYK', 'CMYK', 'CMJN']);
+});
+
 describe.each(codes)('the messages in %s', (code) => {
   it('compile', () => {
     const wrong = [...messagesOf(code)].filter(([, text]) => {

@@ -48,6 +48,7 @@ function appCodes(): string[] {
 
 test('an error with a known code has a translated reason', () => {
   expect(explain(coded('not-text', 'invalid utf-8'))).toMatch(/^it is not a text file/);
+  expect(explain(coded('unknown-format', 'this is not an image'))).toMatch(/^the file is damaged, or not an image/);
   expect(explain(coded('newer-project', 'version: 9'))).toMatch(/^it was saved by a newer version/);
   expect(explain(coded('odd', 'x'), { reasons: { odd: 'it is odd' } })).toBe('it is odd');
 });
