@@ -5,12 +5,16 @@ import type { Block } from '../engine/types.ts';
 
 export function BlockName({ block }: { block: Block }) {
   const name = strings.blockName(block);
-  const at = name.search(/ ?[(（]/);
-  if (at < 0) return <>{name}</>;
+  const plain = plainName(block);
   return (
     <>
-      {name.slice(0, at)}
-      <span class="visually-hidden">{name.slice(at)}</span>
+      {plain}
+      {name !== plain && <span class="visually-hidden">{name.slice(plain.length)}</span>}
     </>
   );
+}
+
+/** The name of a block without the technical term. */
+export function plainName(block: Block): string {
+  return strings.blockName(block).split(/ ?[(（]/)[0];
 }

@@ -14,7 +14,7 @@ import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
-import { BlockName } from './block-name.tsx';
+import { BlockName, plainName } from './block-name.tsx';
 import { focusCard, showCard } from './focus-card.ts';
 import type { CardDrag } from './card-drag.ts';
 import type { Block, DraftFacts, Layer, ParamValue, Style } from '../engine/types.ts';
@@ -124,7 +124,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
           const before = brings[block.id];
           const after = followerOf(block.id, steps[to]?.block);
           const others = blocks.filter(({ id }) => id === before?.remedy || id === after);
-          const note = others.map((other) => strings.bringsWith({ name: strings.blockName(other) })).join(' ');
+          const note = others.map((other) => strings.bringsWith({ name: plainName(other) })).join(' ');
           return (
             <li key={block.id}>
               <button

@@ -96,6 +96,17 @@ test('the designer opens with a copy of the page style, and its lanes say what t
     await expect(region(page).locator('.style-tools').getByText(name, { exact: true })).toBeVisible();
 });
 
+test('the names of the layers stay visible while their blocks scroll', async ({ page }) => {
+  await openDesigner(page);
+  for (const block of ['Blur', 'Posterization', 'Halftone', 'Brightness']) await addBlock(page, block);
+  const last = cards(page).last();
+  await last.scrollIntoViewIfNeeded();
+  await expect(last).toBeInViewport();
+  await expect(cards(page).first()).not.toBeInViewport();
+  for (const name of ['Colours', 'Lines'])
+    await expect(region(page).getByRole('heading', { name, exact: true })).toBeInViewport();
+});
+
 test('a slider updates the preview during a drag, and the drag is one undo step', async ({ page }) => {
   await openDesigner(page);
   await addBlock(page, 'Gaussian');
@@ -135,7 +146,7 @@ test('a block that needs gray adds To GrayScale, and an error offers to add it',
   await openDesigner(page);
   await page.getByRole('button', { name: 'Add block' }).click();
   const palette = page.getByRole('region', { name: 'Blocks to add' });
-  await expect(palette.getByRole('button', { name: /Pattern Filling/ })).toContainText('Comes with Grayscale');
+  await expect(palette.getByRole('button', { name: /Pattern Filling/ })).toContainText('Comes with Grayscale.');
   await palette.getByRole('button', { name: /Pattern Filling/ }).click();
   expect(await names(page)).toEqual(['To GrayScale', 'Pattern Filling']);
   const drawnGray = await preview(page);
