@@ -80,7 +80,7 @@ function Several() {
 /** Actions of the page in the storyboard. */
 function Tools() {
   const { ui, actions } = useApp();
-  const { cover, earlier, later, remove, styleAll } = actions.book;
+  const { cover, earlier, later, remove, styleAll, make } = actions.book;
   return (
     <div class="book-tools">
       <div class="book-icons">
@@ -90,7 +90,7 @@ function Tools() {
       </div>
       {isEnabled(styleAll) && <ActionButton action={styleAll} class="book-text" text />}
       {isEnabled(cover) && <ActionButton action={cover} class="book-text" text />}
-      <MakeBook />
+      <ActionButton action={make} class="book-text" text />
       {!ui.wide.value && <SpreadAlbum />}
     </div>
   );
@@ -109,6 +109,7 @@ function AddPage() {
   );
 }
 
+/** The offer to make a book, which stands out. A book that exists has a plain button. */
 function MakeBook() {
   const { make } = useApp().actions.book;
   return <ActionButton action={make} class="book-text book-make" text />;
