@@ -16,9 +16,12 @@ export function Versions({ heart = false }: { heart?: boolean }) {
           strings.versionAt({ n: at, of })
         ) : (
           <>
-            {at}
-            <i>/</i>
-            {of}
+            <span>
+              {at}
+              <i>/</i>
+              {of}
+            </span>
+            <span class="icon-text">{strings.versionLabel}</span>
           </>
         )}
       </ActionButton>

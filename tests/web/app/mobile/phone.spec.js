@@ -93,6 +93,9 @@ test('a swipe shows another page, and a swipe back the previous one', async ({ p
   await swipe(page, -200);
   const second = await picture(page);
   expect(second).not.toBe(first);
+  // The number says that it is not the number of a page.
+  const number = page.getByRole('button', { name: 'Page history, 2/2' });
+  await expect(number.getByText('Version', { exact: true })).toBeVisible();
   await swipe(page, 200);
   expect(await picture(page)).toBe(first);
   await swipe(page, -200);
