@@ -269,6 +269,16 @@ for (const viewport of [
   });
 }
 
+test('the start screen of an upright tablet has its text below large pages', async ({ page }) => {
+  await page.setViewportSize({ width: 820, height: 1180 });
+  await openStart(page);
+  const pages = await page.getByRole('img', { name: 'Three comic pages made from the sample album' }).boundingBox();
+  const heading = await page.locator('.start h1').boundingBox();
+  if (!pages || !heading) throw new Error('no start screen');
+  expect(pages.width).toBeGreaterThan(380);
+  expect(heading.y).toBeGreaterThanOrEqual(pages.y + pages.height);
+});
+
 test('a message is at the lower right on every screen, where lists scroll', async ({ page }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await openBoard(page);
