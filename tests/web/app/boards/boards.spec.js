@@ -41,6 +41,31 @@ async function drawn(page) {
   return sheets;
 }
 
+test.describe('on a tablet', () => {
+  test.use({ viewport: { width: 820, height: 1180 }, hasTouch: true });
+
+  test('the buttons that move a shot are visible, also with another column, and fields suit a finger', async ({
+    page,
+  }) => {
+    await openBoard(page, SIX);
+    await page.getByRole('button', { name: 'Menu' }).click();
+    const shots = await openShots(page);
+    const last = shots.locator('.shot-tools').first().getByRole('button').last();
+    const end = async () => {
+      const box = await last.boundingBox();
+      return (box?.x ?? 0) + (box?.width ?? 820);
+    };
+    expect(await end()).toBeLessThanOrEqual(820);
+    expect((await page.getByRole('textbox', { name: 'By', exact: true }).boundingBox())?.height).toBe(44);
+    const list = page.locator('.shots-scroll');
+    expect(await list.evaluate((all) => all.scrollWidth - all.clientWidth)).toBe(0);
+    await page.getByPlaceholder('New column').fill('Camera');
+    await page.keyboard.press('Enter');
+    await expect(shots.getByRole('textbox', { name: 'Camera, shot 1' })).toBeAttached();
+    expect(await end()).toBeLessThanOrEqual(820);
+  });
+});
+
 test('keyboard: photos are added, fields are typed, and the board and the shot list are saved', async ({ page }) => {
   await openStart(page);
   const chooser = page.waitForEvent('filechooser');
