@@ -264,6 +264,12 @@ test('the tools of a block have their names on a large screen, also next to the 
     expect((edge?.x ?? 0) + (edge?.width ?? 999)).toBeLessThan((card?.x ?? 0) + (card?.width ?? 0));
   };
   await fits();
+  // In a smaller window, the settings of a layer stay apart.
+  await page.setViewportSize({ width: 1280, height: 720 });
+  const [dark, ink] = await Promise.all(
+    ['Dark paper', 'Ink colour'].map((name) => region(page).locator('.lane-setting', { hasText: name }).boundingBox()),
+  );
+  expect((ink?.x ?? 0) - (dark?.x ?? 0) - (dark?.width ?? 0)).toBeGreaterThanOrEqual(8);
   await palette.getByRole('button', { name: 'Close' }).click();
   await fits();
 });
