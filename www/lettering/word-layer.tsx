@@ -24,8 +24,8 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
   const editing = lettering.editing.value;
   // While the user types, the drawn balloon follows the field.
   const drawn = lettering.draft.value ?? page;
-  const latest = useRef(page);
-  latest.current = page;
+  /** The page that is drawn now, without the text that is typed. */
+  const shown = useRef(page);
 
   useEffect(() => {
     const alerts = messages.alertGroup();
@@ -34,7 +34,7 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
       subjectsOf: (document) => subjectsOf(store, document),
       onPainted: (document, whole) => {
         if (whole) alerts.clear();
-        ui.lettered.value = document && latest.current;
+        ui.lettered.value = document && shown.current;
       },
       onError: (error) => alerts.report(strings.wordsFailed({ why: explain(error) })),
     });
@@ -44,6 +44,7 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
   const subjects = useSubjectsOf(page);
   const read = store.reading.value?.done;
   useEffect(() => {
+    shown.current = page;
     if (width > 0) painter.current?.show(drawn, width);
   }, [drawn, page, width, subjects, read]);
 
