@@ -5,7 +5,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { isList, LISTS } from '../export/formats.ts';
 import { USUAL_QUALITY } from '../export/page-making.ts';
-import { NO_PRINT } from '../export/print.ts';
 import { strings } from '../strings/strings.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { useApp } from '../ui/context.ts';
@@ -50,7 +49,7 @@ function Tools() {
   async function save() {
     try {
       const pages = isList(format) ? [] : await boards.sheets();
-      await download.saveAs({ pages, format, inside: 'png', quality: USUAL_QUALITY, print: NO_PRINT });
+      await download.saveAs({ pages, format, inside: 'png', quality: USUAL_QUALITY });
     } catch (error) {
       messages.alert(strings.exportFailed({ why: explain(error) }));
     }

@@ -114,7 +114,7 @@ export function createDownload({
   }
 
   function nameOf(wish: Wish) {
-    return fileName(store.project.peek(), wish.pages.length, fileFormat(wish));
+    return fileName(store.project.peek(), wish.pages.length, fileFormat(wish), wish.print !== undefined);
   }
 
   /** The project data in the exported file. `unclean`: photos whose metadata cannot be removed. */

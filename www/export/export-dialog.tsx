@@ -16,7 +16,7 @@ import { ExportActions } from './export-actions.tsx';
 import { ExportProject } from './export-project.tsx';
 import { FileSize } from './file-size.tsx';
 import { FormatChoice, KindChoice } from './format-choice.tsx';
-import { enlarged, hasPlates, NO_PRINT, USUAL_PRINT } from './print.ts';
+import { enlarged, hasPlates, USUAL_PRINT } from './print.ts';
 import { LazyAnimatic } from '../motion/lazy-animatic.tsx';
 import { LivingChoice } from '../motion/living-choice.tsx';
 import { PrintCheck } from './print-check.tsx';
@@ -76,10 +76,10 @@ export function ExportDialog() {
   const printed = way === 'print';
   const plates = printed && hasPlates(sheets, store.styles.value);
   const onPaper = useMemo(
-    () =>
-      (printed
+    (): Print | undefined =>
+      printed
         ? { ...print, plates: print.plates && plates, sheets: sheets.length > 1 ? print.sheets : 'none' }
-        : NO_PRINT) as Print,
+        : undefined,
     [printed, print, plates, sheets],
   );
   const wish = useMemo(

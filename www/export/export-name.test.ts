@@ -8,6 +8,8 @@ test('files are called after the project, and after the page where there are sev
   expect(fileName(alone, 1, 'png')).toBe('Summer in Lisbon.png');
   expect(fileName(second, 1, 'jpeg')).toBe('Summer in Lisbon - page 2.jpg');
   expect(fileName(second, 3, 'cbz')).toBe('Summer in Lisbon.cbz');
+  expect(fileName(second, 3, 'pdf', true)).toBe('Summer in Lisbon - print.pdf');
+  expect(fileName(second, 1, 'zip', true)).toBe('Summer in Lisbon - page 2 - print.zip');
   expect(fileName({ ...alone, name: '' }, 1, 'pdf')).toBe('Untitled.pdf');
 });
 

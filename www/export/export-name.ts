@@ -11,9 +11,10 @@ type Named = Pick<Project, 'name' | 'at' | 'others'>;
 /**
  * @param project its page that is being edited is the one that is exported separately
  * @param count of the pages in the file
+ * @param forPrint so that it does not replace a PDF file for screens
  */
-export function fileName(project: Named, count: number, format: Format): string {
-  const parts = [project.name, count > 1 ? '' : pagePart(project)];
+export function fileName(project: Named, count: number, format: Format, forPrint = false): string {
+  const parts = [project.name, count > 1 ? '' : pagePart(project), forPrint ? strings.filePrint : ''];
   return fileNameOf(parts, FORMATS[format].ending, strings.untitled);
 }
 
