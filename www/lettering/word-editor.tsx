@@ -17,7 +17,7 @@ const MOST_FOR_EFFECTS = 20;
 const GAP = 8;
 /** Minimum room above and below the text together, in CSS pixels. */
 const LEAST_PAD = 8;
-/** This room in a balloon, in parts of the height of its text: the round outline would cut the first and last lines. */
+/** This space in a balloon, in parts of the height of its text. The round outline would cut the first and last lines. */
 const ROUND_PAD = 0.2;
 /** Width of the outline of the field, which stays on the page, in CSS pixels. */
 const OUTLINE = 3;
