@@ -23,8 +23,9 @@
 
 const RUNS = 15;
 const WARM = 3;
-/** Maximum milliseconds of a row with more than five runs. */
-const PATIENCE = 4000;
+/** Maximum milliseconds of a row with more than the least number of runs. Slow operations vary little. */
+const PATIENCE = 1500;
+const LEAST_RUNS = 3;
 
 /**
  * @param {string} name of a file in `contestants`
@@ -58,7 +59,7 @@ function median(operation) {
   const begin = performance.now();
   const tired = () => performance.now() - begin > PATIENCE;
   for (let warm = 0; warm < WARM && !tired(); warm += 1) run(prepare());
-  while (times.length < RUNS && !(times.length >= 5 && tired())) {
+  while (times.length < RUNS && !(times.length >= LEAST_RUNS && tired())) {
     const prepared = prepare();
     const start = performance.now();
     run(prepared);
