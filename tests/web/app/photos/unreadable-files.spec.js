@@ -32,6 +32,9 @@ const file = (name, buffer) => ({ name, mimeType: 'image/jpeg', buffer });
 const unreadable = (count) =>
   Array.from({ length: count }, (_, i) => file(`bad-${i + 1}.jpg`, Buffer.from(`no photo ${i}`)));
 
+/** Waits until a message has moved to its place. @param {import('../../../../www/testing.ts').Locator} toast */
+const arrived = (toast) => toast.evaluate((one) => Promise.all(one.getAnimations().map(({ finished }) => finished)));
+
 /** A PNG file whose header declares 60,000 x 60,000 pixels, without pixel data. */
 function oversizedPng() {
   const chunk = (/** @type {string} */ type, /** @type {Buffer} */ data) => {
@@ -110,8 +113,7 @@ test('if no file is readable, the start screen says so and accepts other files',
   await (await dialog).setFiles([file('notes.txt', Buffer.from('no photo'))]);
   const toast = alert(page).locator('.toast');
   await expect(toast).toContainText('notes.txt');
-  // The message moves to its place.
-  await toast.evaluate((one) => Promise.all(one.getAnimations().map(({ finished }) => finished)));
+  await arrived(toast);
   const [button, near] = [await choose.boundingBox(), await toast.boundingBox()];
   expect(Math.abs(Number(near?.y) - Number(button?.y) - Number(button?.height))).toBeLessThan(30);
   expect(Number(near?.x)).toBeLessThan(Number(button?.x) + Number(button?.width));
@@ -146,6 +148,7 @@ test('an unreadable file changes neither the page nor its history, and the alert
   const before = await picture(page);
   await add(page, [file('broken.jpg', Buffer.from([0xff, 0xd8, 0xff, 0xe0, 0, 0]))]);
   await expect(alert(page)).toContainText('broken.jpg');
+  await arrived(alert(page).locator('.toast'));
   // The message is among the photos, and covers none.
   const [toast, photo, tray] = await Promise.all(
     [alert(page).locator('.toast'), page.locator('.photo').first(), page.locator('.tray')].map((one) =>
