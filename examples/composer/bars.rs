@@ -154,8 +154,7 @@ fn counted(document: &Document, album: &[PhotoMeta], photos: &[Photo]) -> Result
     Ok(counted)
 }
 
-/// The area of a panel.
-pub(crate) fn size(panel: &ResolvedPanel) -> f64 {
+fn size(panel: &ResolvedPanel) -> f64 {
     match &panel.shape {
         ResolvedShape::Circle { radius, .. } => std::f64::consts::PI * radius * radius,
         ResolvedShape::Polygon(corners) => polygon::area(corners),
@@ -176,7 +175,6 @@ fn table(pages: &[Counted]) -> String {
     }
     let entropy: f64 =
         layouts.values().map(|&n| n as f64 / pages.len() as f64).map(|share| -share * share.log2()).sum();
-    let most = families.iter().max_by_key(|(_, n)| **n).map_or(("", 0), |(family, n)| (*family, *n));
     let aspect = PageSettings::default().aspect();
     let offered: std::collections::BTreeSet<&str> = layout::good_for(aspect)
         .iter()
@@ -202,7 +200,7 @@ fn table(pages: &[Counted]) -> String {
     row("pages with one of the best photos in the largest panel", format!("{heroes:.0} %"), "90 %");
     row(
         "pages of the most frequent family",
-        format!("{:.0} % ({})", share(most.1, pages.len()), most.0),
+        most_frequent(pages.iter().map(|page| page.family.as_str())),
         "35 %",
     );
     row("families never used", if missing.is_empty() { "none".into() } else { missing.join(", ") }, "none");
@@ -216,6 +214,20 @@ fn table(pages: &[Counted]) -> String {
     let counts: Vec<String> = families.iter().map(|(family, n)| format!("{family} {n}")).collect();
     row("pages by family", counts.join(", "), "");
     text
+}
+
+/// The most frequent family of some pages, and its share.
+pub(crate) fn most_frequent<'a>(pages: impl Iterator<Item = &'a str>) -> String {
+    let mut families: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut all = 0;
+    for family in pages {
+        *families.entry(family).or_default() += 1;
+        all += 1;
+    }
+    let most = families.into_iter().max_by_key(|(_, count)| *count);
+    most.map_or_else(String::new, |(family, count)| {
+        format!("{:.0} % ({family})", 100.0 * count as f64 / f64::from(all))
+    })
 }
 
 /// Milliseconds of a plan on this machine, from analysed photos.

@@ -1,23 +1,22 @@
 //! Twenty-four shuffles of ten albums: how often each photo appears, and how varied the pages are.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use inkpanel_engine::document::planning::seen_on;
 use inkpanel_engine::framing::PhotoMeta;
-use inkpanel_engine::layout;
-use inkpanel_engine::page::Document;
 use inkpanel_engine::page::request::{Avoid, Request};
 use inkpanel_engine::page::shuffle::planned;
 use inkpanel_engine::plan::Shelf;
 use inkpanel_engine::plan::prepared::is_document;
 use rayon::prelude::*;
 
-use crate::bars::size;
+use crate::bars::most_frequent;
 use crate::{Failure, Photo, page};
 
 const ALBUMS: u32 = 10;
 const SHUFFLES: usize = 24;
-/// Number of shuffles after which each photo should have appeared.
+/// Each photo should appear within this number of shuffles.
 const ALL_SEEN: usize = 12;
 
 /// Results of the shuffles of one album.
@@ -38,12 +37,7 @@ pub(crate) fn rows(photos: &[Photo]) -> Result<String, Failure> {
     uses.sort_unstable();
     let late: usize = albums.iter().map(|album| album.late).sum();
     let pages = || albums.iter().flat_map(|album| &album.pages);
-    let mut families: BTreeMap<&str, usize> = BTreeMap::new();
-    for (family, _) in pages() {
-        *families.entry(family).or_default() += 1;
-    }
     let styles: BTreeSet<&str> = pages().map(|(_, style)| style.as_str()).collect();
-    let counts: Vec<String> = families.iter().map(|(family, n)| format!("{family} {n}")).collect();
     let mut text = String::new();
     let mut row = |name: &str, value: String, goal: &str| {
         let _ = writeln!(text, "| {name} | {value} | {goal} |");
@@ -55,7 +49,11 @@ pub(crate) fn rows(photos: &[Photo]) -> Result<String, Failure> {
         "",
     );
     row("photos that twelve shuffles did not show", format!("{late} of {}", uses.len()), "0");
-    row("pages of these shuffles by family", counts.join(", "), "");
+    row(
+        "shuffles of the most frequent family",
+        most_frequent(pages().map(|(family, _)| family.as_str())),
+        "",
+    );
     row("styles of these shuffles", styles.len().to_string(), "");
     Ok(text)
 }
@@ -65,7 +63,7 @@ fn shuffled(photos: &[Photo], number: u32) -> Result<Shown, Failure> {
     let (first, album) = page(photos, number)?;
     let shelf = Shelf::new(album.len());
     let mut current = first.document;
-    let mut recent = vec![seen_on(&current)?];
+    let mut recent = vec![seen_on(&current)];
     let mut pages = Vec::new();
     for turn in 0..SHUFFLES {
         let id = |name: Option<&str>| name.map(str::to_owned).into_iter().collect();
@@ -80,7 +78,7 @@ fn shuffled(photos: &[Photo], number: u32) -> Result<Shown, Failure> {
             ..Request::default()
         };
         current = planned(&request, &shelf)?.document;
-        recent.push(seen_on(&current)?);
+        recent.push(seen_on(&current));
         let style = current.style.built_in().unwrap_or("own").to_owned();
         pages.push((current.layout.template()?.family().to_owned(), style));
     }
@@ -93,18 +91,4 @@ fn shuffled(photos: &[Photo], number: u32) -> Result<Shown, Failure> {
         late: wanted.filter(|photo| uses(photo, &recent[1..=ALL_SEEN]) == 0).count(),
         pages,
     })
-}
-
-/// The photos of a page, the largest panel first.
-fn seen_on(document: &Document) -> Result<Vec<String>, Failure> {
-    let template = document.template()?;
-    let panels = layout::resolve(&template, document.page.aspect(), &document.page);
-    let mut shown: Vec<(f64, &String)> = document
-        .panels
-        .iter()
-        .zip(&panels)
-        .filter_map(|(content, panel)| Some((size(panel), content.photo.as_ref()?)))
-        .collect();
-    shown.sort_by(|a, b| b.0.total_cmp(&a.0));
-    Ok(shown.into_iter().map(|(_, id)| id.clone()).collect())
 }

@@ -99,7 +99,7 @@ impl Look {
             .fold(0.0, f64::max);
         let (mut cover, mut cut, mut split, mut heaviest) = (0.0, 0.0, 0.0, 0.0);
         for mark in &prepared.marks {
-            let grown = place(crop, mark.grown);
+            let (grown, inner) = (place(crop, mark.grown), place(crop, mark.bare));
             let (all, most) = shares(slot, grown);
             // A medium shot cuts a body below the waist.
             let medium = mark.part == Part::Body && (MEDIUM.0..MEDIUM.1).contains(&all);
@@ -108,11 +108,9 @@ impl Look {
                 look.hidden += 1.0;
             }
             if matches!(mark.part, Part::Animal | Part::Body) {
-                let inner = place(crop, mark.bare);
                 look.figure = look.figure.max(all * inner.width.max(inner.height));
             }
             if mark.part == Part::Face {
-                let inner = place(crop, mark.bare);
                 let (bare, in_one) = shares(slot, inner);
                 if bare > 0.8 {
                     faces.push(inner.height * slot.bounds.height);
@@ -145,7 +143,6 @@ impl Look {
             }
             if all > 0.8 && mark.weight > heaviest {
                 heaviest = mark.weight;
-                let inner = place(crop, mark.bare);
                 look.close = (inner.width * inner.height).min(1.0);
                 let readable = if mark.part == Part::Face { READABLE.0 } else { READABLE.1 };
                 let high = inner.height * slot.bounds.height;
