@@ -101,7 +101,9 @@ export function Stage() {
   const next = ahead.page.value;
   useLayoutEffect(() => {
     const planner = store.planner.peek();
-    if (next && planner && width > 0) painter.current?.prepare(next, planner.geometry(next.layout, next.page), pixels);
+    if (!next || !planner || width === 0) return;
+    const drawing = painter.current?.prepare(next, planner.geometry(next.layout, next.page), pixels);
+    drawing?.then((whole) => whole && pages.drawn(next));
   }, [next, pixels, subjects]);
 
   return (

@@ -1,6 +1,7 @@
 /** Page commands: shuffle, choose, lock, adjust, browse the page history. */
 
 import { batch } from '@preact/signals';
+import { mentionsPainter } from '../engine/painters.ts';
 import { nextTask } from '../engine/scheduler.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import type { Wish } from '../engine/core.ts';
@@ -44,8 +45,9 @@ export function createPages(
     shuffled?: () => void;
   } = {},
 ) {
-  /** The prepared page for the next shuffle, valid while nothing changes. */
-  let prepared: { project: Project; photos: readonly unknown[]; page: PageDocument | null } | null = null;
+  /** The prepared page for the next shuffle, valid while nothing changes. `drawn`: its pictures exist */
+  let prepared: { project: Project; photos: readonly unknown[]; page: PageDocument | null; drawn: boolean } | null =
+    null;
 
   return {
     plan,
@@ -57,6 +59,7 @@ export function createPages(
     refit,
     shuffle,
     prepare,
+    drawn,
     chooseLayout,
     chooseStyle,
     lock,
@@ -89,10 +92,11 @@ export function createPages(
   /**
    * A seed, and the user's preferences for random choices.
    * @param styles whether a style is chosen
+   * @param how `quick`: without styles that take seconds
    */
-  function draw(styles = false): Draw {
+  function draw(styles = false, { quick = false }: { quick?: boolean } = {}): Draw {
     const { taste, styling } = asked({ keep: { layout: false, style: !styles, photos: true } });
-    return { seed: seed(), ...(taste && { taste }), ...(styling && { styling }) };
+    return { seed: seed(), ...(taste && { taste }), ...(styling && { styling: { ...styling, quick } }) };
   }
 
   function settledOr(page: PageDocument | null): PageDocument | null {
@@ -223,15 +227,15 @@ export function createPages(
   function shuffle(part: Shuffled) {
     const { locks, page } = store.project.peek();
     if (!page || (part !== 'all' && locks[part])) return;
-    if (part === 'all') show(isPrepared() ? (prepared?.page ?? null) : planShuffled());
+    if (part === 'all') show(isReady() ? (prepared?.page ?? null) : planShuffled({ quick: true }));
     else edit({ type: 'shuffle', part, draw: draw(part === 'style') }, { isNew: () => part !== 'style' });
     shuffled();
   }
 
-  function planShuffled(): PageDocument | null {
+  function planShuffled(how?: { quick: boolean }): PageDocument | null {
     const { locks, page } = store.project.peek();
     const isLaidOut = locks.layout || !!page?.panels.some((panel) => panel.locked);
-    const intent = { type: 'shuffle', part: 'all', draw: draw(!locks.style) } as const;
+    const intent = { type: 'shuffle', part: 'all', draw: draw(!locks.style, how) } as const;
     return preview(intent, { isNew: !isLaidOut || !locks.photos });
   }
 
@@ -239,11 +243,23 @@ export function createPages(
     return prepared?.project === store.project.peek() && prepared.photos === store.photos.peek();
   }
 
+  /** Whether the prepared page appears soon. The block Painter takes seconds, so its pages are drawn in advance. */
+  function isReady() {
+    if (!prepared || !isPrepared()) return false;
+    return prepared.drawn || store.project.peek().locks.style || !mentionsPainter(prepared.page?.style);
+  }
+
   /** Plans the page of the next shuffle. @returns null if there is nothing to shuffle */
   function prepare(): PageDocument | null {
     const project = store.project.peek();
-    if (!isPrepared()) prepared = { project, photos: store.photos.peek(), page: project.page && planShuffled() };
+    const photos = store.photos.peek();
+    if (!isPrepared()) prepared = { project, photos, page: project.page && planShuffled(), drawn: false };
     return prepared?.page ?? null;
+  }
+
+  /** Notes that all pictures of the prepared page are drawn. */
+  function drawn(page: PageDocument) {
+    if (prepared?.page === page) prepared.drawn = true;
   }
 
   function chooseLayout(layout: LayoutChoice) {

@@ -140,7 +140,7 @@ export const edits: { [Type in Edit['type']]: Extract<Edit, { type: Type }> & Ho
   "enlarge-panel": {"panel":0,"type":"enlarge-panel"},
   "recrop": {"sheet":1,"type":"recrop"},
   "recrop-photo": {"everywhere":true,"photo":"p","type":"recrop-photo"},
-  "shuffle": {"draw":{"seed":1,"styling":{"extra":[{"background":[{"block":"posterize","bypass":true,"levels":5}],"foreground":[{"block":"to_gray"}],"id":"a","ink":"#102030","name":"A","score":0.5,"tags":["ink"]}],"invented":0.5,"inventions":[{"background":[{"block":"posterize","bypass":true,"levels":5}],"foreground":[{"block":"to_gray"}],"id":"a","ink":"#102030","name":"A","score":0.5,"tags":["ink"]}],"keepColours":false,"keepLines":true},"taste":{"families":{"grid":0.5},"styles":{}}},"part":"all","type":"shuffle"},
+  "shuffle": {"draw":{"seed":1,"styling":{"extra":[{"background":[{"block":"posterize","bypass":true,"levels":5}],"foreground":[{"block":"to_gray"}],"id":"a","ink":"#102030","name":"A","score":0.5,"tags":["ink"]}],"invented":0.5,"inventions":[{"background":[{"block":"posterize","bypass":true,"levels":5}],"foreground":[{"block":"to_gray"}],"id":"a","ink":"#102030","name":"A","score":0.5,"tags":["ink"]}],"keepColours":false,"keepLines":true,"quick":true},"taste":{"families":{"grid":0.5},"styles":{}}},"part":"all","type":"shuffle"},
   "fit-layout": {"draw":{"seed":1},"type":"fit-layout"},
   "choose-layout": {"layout":"grid-4","seed":1,"type":"choose-layout"},
   "choose-style": {"seed":1,"style":{"background":[{"block":"posterize","bypass":true,"levels":5}],"foreground":[{"block":"to_gray"}],"id":"a","ink":"#102030","name":"A","score":0.5,"tags":["ink"]},"type":"choose-style"},

@@ -1332,8 +1332,8 @@ export type Families = {
 };
 
 /**
- * Options of the random choice of a style. As JSON `{extra, invented, inventions, keepLines, keepColours}`;
- * all fields are optional.
+ * Options of the random choice of a style. As JSON
+ * `{extra, invented, inventions, keepLines, keepColours, quick}`; all fields are optional.
  */
 export type StylingRequest = {
   /** Complete custom and favourite styles. They are chosen like built-in ones. */
@@ -1346,6 +1346,8 @@ export type StylingRequest = {
   keepLines?: boolean,
   /** Retain the colour layer. */
   keepColours?: boolean,
+  /** Leave out styles with the block Painter, because a page in such a style takes seconds. */
+  quick?: boolean,
 };
 
 /** Facts about a photo, measured once at import. All positions are fractions of the oriented photo. */

@@ -6,8 +6,8 @@ import type { PageDocument } from '../engine/types.ts';
 
 vi.useFakeTimers();
 
-async function opened() {
-  const app = fakeApp();
+async function opened(hooks?: Parameters<typeof fakeApp>[1]) {
+  const app = fakeApp({}, hooks);
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg', 'd.jpg'));
   const painted = signal(app.store.page.value);
   const ahead = createAhead({ ...app, ui: { painted } });
@@ -25,6 +25,23 @@ test('the next page is planned while this one is looked at, and is the one that 
   expect(store.page.value).toBe(next);
   expect(planner.wishes).toHaveLength(length);
   expect(ahead.page.value).toBeNull();
+});
+
+test('a page that paints for seconds is shown if it was drawn in advance; otherwise Shuffle shows a quick one', async () => {
+  const app = await opened({ asked: (wish) => ({ ...wish, styling: { invented: 0 } }) });
+  const { ahead, pages, planner, store, painted } = app;
+  const isQuick = () => planner.wishes.at(-1).draw.styling.quick;
+  planner.planned = (page, { draw }) => (draw.styling.quick ? page : { ...page, style: 'painter-night' });
+  for (const drawn of [false, true]) {
+    await vi.runAllTimersAsync();
+    const next = ahead.page.value as PageDocument;
+    expect([next.style, isQuick()]).toEqual(['painter-night', false]);
+    if (drawn) pages.drawn(next);
+    pages.shuffle('all');
+    expect(isQuick()).toBe(!drawn);
+    expect(store.page.value === next).toBe(drawn);
+    painted.value = store.page.value;
+  }
 });
 
 test('whatever changes makes it another', async () => {

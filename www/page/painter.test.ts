@@ -206,7 +206,7 @@ test('a page that was prepared appears at once, and its unfinished panels become
   show(page('A'), geometry('A'), 10);
   await finish('As0');
   await finish('As1');
-  prepare(page('B'), geometry('B'), 10);
+  const whole = prepare(page('B'), geometry('B'), 10);
   expect(jobs.slice(2).map(({ name, priority }) => [name, priority])).toEqual([
     ['Bs0', 3],
     ['Bs1', 3],
@@ -224,6 +224,7 @@ test('a page that was prepared appears at once, and its unfinished panels become
   await finish('Bs1');
   await vi.advanceTimersByTimeAsync(20);
   expect(drawn).toEqual(['Bs0', 'Bs1']);
+  expect(await whole).toBe(true);
 });
 
 test('another prepared page cancels one that was prepared, and nothing of the visible page', async () => {

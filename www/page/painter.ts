@@ -84,19 +84,23 @@ export function createPainter(
     report();
   }
 
-  /** Draws the panels of a likely next page with the lowest priority. The next page that is shown or prepared cancels it. */
-  function prepare(document: PageDocument, geometry: Geometry, width: number) {
+  /**
+   * Draws the panels of a likely next page with the lowest priority. The next page that is shown or prepared cancels it.
+   * @returns whether all panels are drawn
+   */
+  async function prepare(document: PageDocument, geometry: Geometry, width: number): Promise<boolean> {
     const pictures = picturesOf(document).map((index) => {
       return { index, signature: patches.signature(document, geometry, index, width) };
     });
     const visible = (sheet?.slots ?? []).map(({ signature }) => signature);
     patches.keepOnly([...visible, ...running.values(), ...pictures.map(({ signature }) => signature)]);
-    for (const { index, signature } of pictures) {
+    const jobs = pictures.flatMap(({ index, signature }) => {
       const { photo } = document.panels[panelOf(document, index)];
-      if (photo === null || !engine.hasPhoto(photo) || patches.cached(signature)) continue;
-      // Errors are reported when the page is shown.
-      patches.get(signature, document, geometry, index, width, true).catch(() => {});
-    }
+      if (photo === null || !engine.hasPhoto(photo) || patches.cached(signature)) return [];
+      return patches.get(signature, document, geometry, index, width, true);
+    });
+    // Errors are reported when the page is shown.
+    return (await Promise.allSettled(jobs)).every(({ status }) => status === 'fulfilled');
   }
 
   /** @param near the sheet before where its panels are the same ones */

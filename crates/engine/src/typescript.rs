@@ -441,7 +441,7 @@ fn edits(page: &Value) -> Vec<Value> {
     let draft = json!({ "id": "d", "name": "D", "tags": [], "background": [step], "foreground": [], "ink": "#000000" });
     let sheet = |id: u64| json!({ "page": page, "pageId": id, "sheet": id });
     let styling = json!({ "invented": 0.5, "keepLines": true, "keepColours": false });
-    let drawn = json!({ "extra": [style], "invented": 0.5, "inventions": [style], "keepLines": true, "keepColours": false });
+    let drawn = json!({ "extra": [style], "invented": 0.5, "inventions": [style], "keepLines": true, "keepColours": false, "quick": true });
     let draw = json!({ "seed": 1, "taste": { "families": { "grid": 0.5 }, "styles": {} }, "styling": drawn });
     let told = json!([
         { "type": "add-photos", "ids": ["p", "q", "r", "s"], "silent": true },

@@ -41,8 +41,8 @@ impl Taste {
     }
 }
 
-/// Options of the random choice of a style. As JSON `{extra, invented, inventions, keepLines, keepColours}`;
-/// all fields are optional.
+/// Options of the random choice of a style. As JSON
+/// `{extra, invented, inventions, keepLines, keepColours, quick}`; all fields are optional.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(from = "Value")]
 #[cfg_attr(
@@ -66,12 +66,16 @@ pub struct Styling {
     /// Retain the colour layer.
     #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
     pub keep_colours: bool,
+    /// Leave out styles with the block Painter, because a page in such a style takes seconds.
+    #[cfg_attr(feature = "typescript", ts(as = "Option<_>", optional))]
+    pub quick: bool,
 }
 
 impl From<Value> for Styling {
     fn from(mut value: Value) -> Self {
         let flag = |key: &str| value[key].as_bool().unwrap_or_default();
         let (keep_lines, keep_colours) = (flag("keepLines"), flag("keepColours"));
+        let quick = flag("quick");
         let invented = value["invented"].as_f64().unwrap_or_default();
         let mut list = |key: &str| match value.get_mut(key).map(Value::take) {
             Some(Value::Array(styles)) => Some(
@@ -80,6 +84,6 @@ impl From<Value> for Styling {
             _ => None,
         };
         let (extra, inventions) = (list("extra").unwrap_or_default(), list("inventions"));
-        Self { extra, invented, inventions, keep_lines, keep_colours }
+        Self { extra, invented, inventions, keep_lines, keep_colours, quick }
     }
 }

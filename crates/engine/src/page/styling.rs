@@ -65,6 +65,7 @@ fn draw(
             return Ok(fresh[random.rand_range(0..fresh.len() as u64) as usize].clone());
         }
     }
+    let is_slow = |style: &Style| wish.quick && style.has_block("painter");
     // The first page must look good at once.
     let first = current.is_none();
     let families = &request.within.styles;
@@ -78,8 +79,11 @@ fn draw(
         .filter(|style| is_within(families, style.tags.first().map_or("", String::as_str)))
         .filter(|style| !families.is_empty() || !tones::is_retired(&style.id))
         .map(|style| {
-            let weight =
-                tones::weight(style, page, &request.taste) * if shown(&style.id) { 0.0 } else { 1.0 };
+            let weight = if shown(&style.id) || is_slow(style) {
+                0.0
+            } else {
+                tones::weight(style, page, &request.taste)
+            };
             (weight, style.keeps_colours(), StyleRef::from(style.id.as_str()))
         });
     let extra = wish
@@ -90,7 +94,8 @@ fn draw(
         })
         .map(|style| {
             let id = style.id().unwrap_or_default();
-            let weight = if shown(id) { 0.0 } else { tones::weight_of_own(id, &request.taste) };
+            let is_slow = style.style().is_ok_and(|style| is_slow(&style));
+            let weight = if shown(id) || is_slow { 0.0 } else { tones::weight_of_own(id, &request.taste) };
             let keeps_colours = style.style().is_ok_and(|style| style.keeps_colours());
             (weight, keeps_colours, style.clone())
         });
@@ -184,6 +189,22 @@ mod tests {
     fn parts(style: &StyleRef) -> (Value, Value, Value) {
         let style = style.style().unwrap().to_value();
         (style["background"].clone(), style["foreground"].clone(), style["ink"].clone())
+    }
+
+    #[test]
+    fn quick_shuffles_have_no_painters() {
+        let painter = Style::parse("own.json", r#"{"background":[{"block":"painter"}]}"#).unwrap();
+        let first = plan(&request(0, Styling::default())).unwrap();
+        let painted = |quick: bool| {
+            let styling = Styling { extra: vec![StyleRef::of(&painter)], quick, ..Styling::default() };
+            let shuffle = |seed| {
+                let current = Some(first.clone());
+                plan(&Request { current, ..request(seed, styling.clone()) }).unwrap().style
+            };
+            (0..100).filter(|&seed| shuffle(seed).style().unwrap().has_block("painter")).count()
+        };
+        assert!(painted(false) > 0);
+        assert_eq!(painted(true), 0);
     }
 
     #[test]
