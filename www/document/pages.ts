@@ -45,9 +45,11 @@ export function createPages(
     shuffled?: () => void;
   } = {},
 ) {
-  /** The prepared page for the next shuffle, valid while nothing changes. `drawn`: its pictures exist */
-  let prepared: { project: Project; photos: readonly unknown[]; page: PageDocument | null; drawn: boolean } | null =
-    null;
+  type Prepared = { project: Project; photos: readonly unknown[]; page: PageDocument | null };
+  /** The prepared page for the next shuffle, valid while nothing changes. */
+  let prepared: Prepared | null = null;
+  /** A page that replaces it when it is drawn. */
+  let slow: Prepared | null = null;
 
   return {
     plan,
@@ -59,6 +61,7 @@ export function createPages(
     refit,
     shuffle,
     prepare,
+    prepareSlow,
     drawn,
     chooseLayout,
     chooseStyle,
@@ -227,39 +230,48 @@ export function createPages(
   function shuffle(part: Shuffled) {
     const { locks, page } = store.project.peek();
     if (!page || (part !== 'all' && locks[part])) return;
-    if (part === 'all') show(isReady() ? (prepared?.page ?? null) : planShuffled({ quick: true }));
+    if (part === 'all') show(isPrepared() ? (prepared?.page ?? null) : planShuffled());
     else edit({ type: 'shuffle', part, draw: draw(part === 'style') }, { isNew: () => part !== 'style' });
     shuffled();
   }
 
-  function planShuffled(how?: { quick: boolean }): PageDocument | null {
+  function planShuffled({ quick = true } = {}): PageDocument | null {
     const { locks, page } = store.project.peek();
     const isLaidOut = locks.layout || !!page?.panels.some((panel) => panel.locked);
-    const intent = { type: 'shuffle', part: 'all', draw: draw(!locks.style, how) } as const;
+    const intent = { type: 'shuffle', part: 'all', draw: draw(!locks.style, { quick }) } as const;
     return preview(intent, { isNew: !isLaidOut || !locks.photos });
   }
 
   function isPrepared() {
-    return prepared?.project === store.project.peek() && prepared.photos === store.photos.peek();
+    const { project, photos } = now();
+    return prepared?.project === project && prepared.photos === photos;
   }
 
-  /** Whether the prepared page appears soon. The block Painter takes seconds, so its pages are drawn in advance. */
-  function isReady() {
-    if (!prepared || !isPrepared()) return false;
-    return prepared.drawn || store.project.peek().locks.style || !mentionsPainter(prepared.page?.style);
-  }
-
-  /** Plans the page of the next shuffle. @returns null if there is nothing to shuffle */
+  /** Plans the page of the next shuffle, in a style that is drawn at once. @returns null if there is nothing to shuffle */
   function prepare(): PageDocument | null {
-    const project = store.project.peek();
-    const photos = store.photos.peek();
-    if (!isPrepared()) prepared = { project, photos, page: project.page && planShuffled(), drawn: false };
+    const { project, photos } = now();
+    if (!isPrepared()) prepared = { project, photos, page: project.page && planShuffled() };
     return prepared?.page ?? null;
   }
 
-  /** Notes that all pictures of the prepared page are drawn. */
+  /**
+   * Plans a page in any style.
+   * @returns the page if its style takes seconds. It becomes the page of the next shuffle when it is `drawn`
+   */
+  function prepareSlow(): PageDocument | null {
+    const { project, photos } = now();
+    const page = project.page && !project.locks.style ? planShuffled({ quick: false }) : null;
+    slow = { project, photos, page };
+    return mentionsPainter(page?.style) ? page : null;
+  }
+
+  /** Notes that all pictures of a page are drawn in advance. */
   function drawn(page: PageDocument) {
-    if (prepared?.page === page) prepared.drawn = true;
+    if (slow?.page === page) prepared = slow;
+  }
+
+  function now() {
+    return { project: store.project.peek(), photos: store.photos.peek() };
   }
 
   function chooseLayout(layout: LayoutChoice) {

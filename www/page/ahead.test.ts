@@ -27,19 +27,21 @@ test('the next page is planned while this one is looked at, and is the one that 
   expect(ahead.page.value).toBeNull();
 });
 
-test('a page that paints for seconds is shown if it was drawn in advance; otherwise Shuffle shows a quick one', async () => {
-  const app = await opened({ asked: (wish) => ({ ...wish, styling: { invented: 0 } }) });
-  const { ahead, pages, planner, store, painted } = app;
-  const isQuick = () => planner.wishes.at(-1).draw.styling.quick;
+test('a page in a slow style is drawn during a long rest, and shown when it is drawn', async () => {
+  const { ahead, pages, planner, store, painted } = await opened({
+    asked: (wish) => ({ ...wish, styling: { invented: 0 } }),
+  });
   planner.planned = (page, { draw }) => (draw.styling.quick ? page : { ...page, style: 'painter-night' });
   for (const drawn of [false, true]) {
+    await vi.advanceTimersByTimeAsync(500);
+    const quick = ahead.page.value;
+    expect(quick?.style).not.toBe('painter-night');
     await vi.runAllTimersAsync();
-    const next = ahead.page.value as PageDocument;
-    expect([next.style, isQuick()]).toEqual(['painter-night', false]);
-    if (drawn) pages.drawn(next);
+    const slow = ahead.page.value;
+    expect(slow?.style).toBe('painter-night');
+    if (drawn) pages.drawn(slow as PageDocument);
     pages.shuffle('all');
-    expect(isQuick()).toBe(!drawn);
-    expect(store.page.value === next).toBe(drawn);
+    expect(store.page.value).toBe(drawn ? slow : quick);
     painted.value = store.page.value;
   }
 });
@@ -90,7 +92,7 @@ test('it is planned while the page before is drawn, and drawn after', async () =
   expect(planner.wishes).toHaveLength(length + 1);
   expect(ahead.page.value).toBeNull();
   painted.value = store.page.value;
-  await vi.runAllTimersAsync();
+  await vi.advanceTimersByTimeAsync(500);
   expect(planner.wishes).toHaveLength(length + 1);
   expect(ahead.page.value).not.toBeNull();
 });

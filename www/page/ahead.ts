@@ -17,6 +17,8 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
  * Changes of the same page may follow each other in every frame, for example while a divider is dragged.
  */
 const REST = { another: 0, same: 350 };
+/** Milliseconds until a page in a slow style may be planned as well. Its panels occupy the workers, even after a cancellation. */
+const LONG_REST = 1500;
 
 export type Ahead = ReturnType<typeof createAhead>;
 
@@ -27,7 +29,7 @@ export function createAhead({
   scheduler,
 }: {
   store: Store;
-  pages: Pick<Pages, 'prepare'>;
+  pages: Pick<Pages, 'prepare' | 'prepareSlow'>;
   ui: Pick<Ui, 'painted'>;
   scheduler: Scheduler;
 }) {
@@ -50,12 +52,17 @@ export function createAhead({
       if (isAnother) void planMeanwhile(stop.signal);
       return;
     }
+    const { signal } = stop;
+    const prepareSlow = () => {
+      page.value = pages.prepareSlow() ?? page.value;
+    };
     const prepare = () => {
       page.value = pages.prepare();
+      scheduler.background(prepareSlow, { delay: LONG_REST, signal });
     };
     const rest = isAnother ? REST.another : REST.same;
     before = version.value;
-    scheduler.background(prepare, { rest, signal: stop.signal });
+    scheduler.background(prepare, { rest, signal });
   });
 
   return { page: page as ReadonlySignal<PageDocument | null> };
