@@ -4,6 +4,7 @@
  */
 
 import { readFileSync } from 'node:fs';
+import { CHOOSING } from './journey.js';
 
 /** @typedef {import('playwright-core').Browser} Browser */
 
@@ -26,8 +27,11 @@ export async function crowd(browser, address, photos) {
     });
   });
   await page.goto(address);
-  const input = page.getByLabel('Photos or video');
-  await input.waitFor({ state: 'attached' });
+  // The app prepares for the photos while the user chooses them.
+  const [dialog] = await Promise.all([
+    page.waitForEvent('filechooser'),
+    page.getByRole('button', { name: 'Choose photos or a video' }).click(),
+  ]);
   await page.evaluate(() => {
     document.addEventListener(
       'change',
@@ -50,7 +54,8 @@ export async function crowd(browser, address, photos) {
     );
     return /** @type {number} */ (await handle.jsonValue());
   };
-  await input.setInputFiles(photos);
+  await page.waitForTimeout(CHOOSING);
+  await dialog.setFiles(photos);
   // The page leaves its idle state with the first photo.
   await page.waitForFunction(() => document.body.dataset.idle !== 'true');
   const first = await since('drawn');
