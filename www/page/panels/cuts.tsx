@@ -3,7 +3,7 @@
  * tools of the cut that is chosen. While the layout is not edited, a mouse drags the gutters.
  */
 
-import { useRef } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../../strings/strings.ts';
 import { useApp } from '../../ui/context.ts';
 import type { Cut } from '../../engine/types.ts';
@@ -98,6 +98,14 @@ function useCutDrag(cut: Cut, index: number) {
     grip.current = null;
     reshaping.dragging.value = false;
   }
+
+  // Shuffle and undo can remove the divider during the drag.
+  useEffect(
+    () => () => {
+      if (grip.current) release();
+    },
+    [],
+  );
 
   const on = { onPointerMove: drag, onPointerUp: release, onPointerCancel: release };
   return { ref, move, take, on };
