@@ -8,6 +8,9 @@ import type { App } from '../ui/context.ts';
 
 /** Minimum milliseconds until screens are loaded that the user has not opened. */
 const SCREENS_AFTER = 3_000;
+const ANY_PAGE = { layout: false, style: false, photos: false };
+/** Number of plans after which the browser has optimised the planner, milliseconds between them, and their photos. */
+const [PLANS, BETWEEN, ALBUM] = [6, 100, 24];
 
 export function begin(app: App) {
   const { engine, store, shelves, keeping, messages, scheduler, openStyleLink, env } = app;
@@ -40,10 +43,19 @@ function loadScreens({ screens }: App) {
 function warmUp({ store, engine }: App) {
   store.layouts.peek();
   store.styles.peek();
-  const planner = store.planner.peek();
-  if (!planner) return;
-  const keep = { layout: false, style: false, photos: false };
-  const plan = (seed: number) =>
-    planner.plan({ seed, photos: [unreadMeta('warm')], page: store.project.peek().settings, current: null, keep });
-  void engine.warm([0, 1, 2, 3].map(plan));
+  void engine.warm([0, 1, 2, 3].flatMap((seed) => planAny(store, seed, ['warm']) ?? []));
+}
+
+/** Plans pages while the user chooses photos, so that the browser optimises the planner. */
+export function warmPlanner({ store, scheduler }: Pick<App, 'store' | 'scheduler'>) {
+  const ids = Array.from({ length: ALBUM }, (_, i) => `warm-${i}`);
+  for (let i = 0; i < PLANS; i += 1)
+    scheduler.background(() => planAny(store, i, ids), { rest: 0, delay: BETWEEN * i });
+}
+
+/** @param ids of photos that are not read */
+function planAny(store: App['store'], seed: number, ids: readonly string[]) {
+  const photos = ids.map((id) => unreadMeta(id));
+  const page = store.project.peek().settings;
+  return store.planner.peek()?.plan({ seed, photos, page, current: null, keep: ANY_PAGE });
 }

@@ -3,6 +3,7 @@
 import { effect, untracked } from '@preact/signals';
 import { heroOf } from '../photos/hero.ts';
 import { reportFailure } from '../ui/importing.ts';
+import { warmPlanner } from './begin.ts';
 import { acceptFiles, dragging, expectFiles, forStyle } from './drop.ts';
 import { createDroppedFiles } from './dropped-files.ts';
 import type { Feature } from '../ui/context.ts';
@@ -25,7 +26,9 @@ export const filesFeature: Feature<Parts> = {
     const droppedFiles = createDroppedFiles({ ...app, showProjects });
     return { droppedFiles, intake: droppedFiles.take, openProjects: droppedFiles.openProjects };
   },
-  start({ intake, imitation, messages, store, engine, subjects, env: { window } }) {
+  start(app) {
+    const { intake, imitation, messages, store, engine, subjects, env } = app;
+    const { window } = env;
     acceptFiles(window, {
       accept: (files) => void intake(files),
       imitate: imitation.take,
@@ -38,7 +41,12 @@ export const filesFeature: Feature<Parts> = {
       const photo = untracked(() => imitation.photo.value ?? heroOf({ store, engine }));
       if (photo !== null) imitation.prepare(photo);
     });
-    expectFiles(window, subjects.expect);
+    let isWarm = false;
+    expectFiles(window, () => {
+      subjects.expect();
+      if (!isWarm && store.tray.peek().length === 0) warmPlanner(app);
+      isWarm = true;
+    });
   },
   busy: ({ droppedFiles }) => droppedFiles.busy.value,
 };
