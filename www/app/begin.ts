@@ -9,7 +9,7 @@ import type { App } from '../ui/context.ts';
 /** Minimum milliseconds until screens are loaded that the user has not opened. */
 const SCREENS_AFTER = 3_000;
 const ANY_PAGE = { layout: false, style: false, photos: false };
-/** Number of plans after which the browser has optimised the planner, milliseconds between them, and their photos. */
+/** Number of plans while the user chooses photos, milliseconds between them, and number of photos in each plan. */
 const [PLANS, BETWEEN, ALBUM] = [6, 100, 24];
 
 export function begin(app: App) {

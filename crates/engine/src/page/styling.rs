@@ -94,9 +94,10 @@ fn draw(
         })
         .map(|style| {
             let id = style.id().unwrap_or_default();
-            let is_slow = style.style().is_ok_and(|style| is_slow(&style));
+            let read = style.style();
+            let is_slow = read.as_ref().is_ok_and(|style| is_slow(style));
             let weight = if shown(id) || is_slow { 0.0 } else { tones::weight_of_own(id, &request.taste) };
-            let keeps_colours = style.style().is_ok_and(|style| style.keeps_colours());
+            let keeps_colours = read.is_ok_and(|style| style.keeps_colours());
             (weight, keeps_colours, style.clone())
         });
     let others = shared(designed.chain(extra).collect(), colours);
