@@ -44,9 +44,11 @@ export const photosFeature: Feature<Parts> = {
       // A page that the user has seen keeps its photos, even if a near-duplicate is better.
       if (!store.sketch.peek() && reading.composed.peek() === null) reading.keepShown();
     };
-    const subjects = createSubjects({ ...app, painted, onFound, wanted, window: env.window });
     const { composed, keepShown } = reading;
-    if (wanted) planAgain({ ...app, composed, keepShown, searched: subjects.searched, window: env.window });
+    const unsettled = () => composed.value !== null;
+    const subjects = createSubjects({ ...app, painted, unsettled, onFound, wanted, window: env.window });
+    const { faced, searched } = subjects;
+    if (wanted) planAgain({ ...app, composed, keepShown, faced, searched, window: env.window });
     const ready = () =>
       store.reading.value === null && painted() && subjects.settled.value && !app.droppedFiles.busy.value;
     const masks = createMasks({ ...app, onFound: () => app.crops.found(), ready, wanted });

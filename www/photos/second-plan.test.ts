@@ -28,12 +28,13 @@ async function app(people: readonly string[], asleep: readonly string[] = []) {
   const first = store.photos.value.slice(0, page.panels.length).map(({ id }) => id);
   const panels = page.panels.map((panel, i) => ({ ...panel, photo: first[i] }));
   store.change({ type: 'change-page', page: { ...page, panels }, silent: true });
-  const searched = signal(false);
+  const [faced, searched] = [signal(false), signal(false)];
   const composed = signal<{ version: string; at: number } | null>({ version: store.version.value, at: 0 });
   const window = new EventTarget();
   const clock = { now: 20_000 };
   const { keepShown } = reading;
-  planAgain({ store, pages, messages, composed, searched, keepShown, window: window as Window, now: () => clock.now });
+  const signals = { composed, faced, searched };
+  planAgain({ store, pages, messages, ...signals, keepShown, window: window as Window, now: () => clock.now });
   const find = () => {
     for (const fact of store.facts.value) {
       const face = { ...FACE, expression: expression(asleep.includes(fact.name) ? 0.1 : 0.3) };
@@ -46,7 +47,7 @@ async function app(people: readonly string[], asleep: readonly string[] = []) {
     searched.value = true;
   };
   const names = () => store.page.value?.panels.map(({ photo }) => store.album.value.get(String(photo))?.name);
-  return { ...made, composed, searched, window, clock, find, search, names };
+  return { ...made, composed, faced, searched, window, clock, find, search, names };
 }
 
 test('a better choice of photos replaces the first page, in its layout and style, and can be undone', async () => {
@@ -60,6 +61,26 @@ test('a better choice of photos replaces the first page, in its layout and style
   expect(messages.list.value.length).toBe(1);
   pages.undo();
   expect(names()).toEqual(first);
+});
+
+test('a better choice replaces the first page when all faces are known, before the detection ends', async () => {
+  const { faced, find, search, names } = await app(['8.jpg', '9.jpg']);
+  find();
+  expect(names()).not.toContain('9.jpg');
+  faced.value = true;
+  const replaced = names();
+  expect(replaced).toEqual(expect.arrayContaining(['8.jpg', '9.jpg']));
+  search();
+  expect(names()).toEqual(replaced);
+});
+
+test('the choice is compared again at the end of the detection, if the faces changed nothing', async () => {
+  const { faced, search, names } = await app(['9.jpg']);
+  const before = names();
+  faced.value = true;
+  expect(names()).toEqual(before);
+  search();
+  expect(names()).toContain('9.jpg');
 });
 
 test('a page that was hardly visible is replaced without a step', async () => {

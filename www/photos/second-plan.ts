@@ -1,7 +1,7 @@
 /**
  * Plans the first page once more. The first page is composed when a few photos are read, so it may show receipts or
- * empty landscapes that came first. After all photos are read and searched, a page with a better choice of photos
- * replaces it once, in the same layout and style. A page that was visible for a moment remains as a version, and the
+ * empty landscapes that came first. After all photos are read, a page with a better choice of photos replaces it once, in
+ * the same layout and style. The choice is compared when all faces are known, and again when all objects are known. A page that was visible for a moment remains as a version, and the
  * replacement can be undone. A near-duplicate with open eyes also replaces one with shut eyes. A page
  * of a video that repeats shots also changes, because the shots are known when the video has been read. Any
  * action of the user keeps the page.
@@ -28,18 +28,21 @@ const LOOK = 1000;
 const LEAST_GAIN = 2;
 /** Points of a page of text, such as a receipt. */
 const TEXT = -2;
+/** What is known of all photos. */
+type Known = 'shots' | 'faces' | 'objects';
 /** Events of a user. */
 const ACTS = ['pointerdown', 'keydown', 'wheel'];
 
 /**
- * @param app `composed`: the version of the page that was composed, and the time; `searched`: whether detection is done.
- *   `keepShown` keeps the photos of the page in use
+ * @param app `composed`: the version of the page that was composed, and the time; `faced`: whether all faces are known;
+ *   `searched`: whether detection is done. `keepShown` keeps the photos of the page in use
  */
 export function planAgain({
   store,
   pages,
   messages,
   composed,
+  faced,
   searched,
   keepShown,
   window,
@@ -49,13 +52,14 @@ export function planAgain({
   pages: Pick<Pages, 'compose' | 'undo'>;
   messages: Messages;
   composed: Signal<{ version: string; at: number } | null>;
+  faced: ReadonlySignal<boolean>;
   searched: ReadonlySignal<boolean>;
   keepShown: () => void;
   window: Pick<Window, 'addEventListener'>;
   now?: () => number;
 }) {
-  /** The version whose shots were compared. */
-  let tried = '';
+  /** What was known when the choice was compared last. */
+  let tried: Known | null = null;
   const forget = () => {
     if (composed.peek() === null) return;
     composed.value = null;
@@ -69,18 +73,19 @@ export function planAgain({
     const { version: own, at } = composed.value;
     if (version.value !== own || canUndo.value) return forget();
     if (reading.value !== null || store.sketch.value) return;
+    const known: Known = searched.value ? 'objects' : faced.value ? 'faces' : 'shots';
     // Other shots need no detection, which takes long for a video.
-    const isEarly = !searched.value;
-    if (isEarly && (tried === own || untracked(() => repeatsOf(store.page.peek())) === 0)) return;
-    tried = own;
-    if (!isEarly) forget();
+    if (tried === known || (known === 'shots' && untracked(() => repeatsOf(store.page.peek())) === 0)) return;
+    tried = known;
+    if (known === 'objects') forget();
     const age = now() - at;
-    if (age <= OLDEST) untracked(() => replace({ isEarly, silent: age < LOOK }));
+    if (age <= OLDEST) untracked(() => replace({ known, silent: age < LOOK }));
   });
 
-  function replace({ isEarly, silent }: { isEarly: boolean; silent: boolean }) {
+  function replace({ known, silent }: { known: Known; silent: boolean }) {
     const page = store.page.peek();
-    const exchanged = !isEarly && page !== null && useOpenEyes(page);
+    const hasFaces = known !== 'shots';
+    const exchanged = hasFaces && page !== null && useOpenEyes(page);
     const album = store.album.peek();
     // Unread frames of a video have no place in its order.
     const all = store.photos.peek().filter(({ id }) => album.get(id)?.meta);
@@ -91,7 +96,7 @@ export function planAgain({
     pages.compose(wish, {
       silent,
       accepts: (better) =>
-        exchanged || repeatsOf(better) < repeatsOf(page) || (!isEarly && worthOf(better) >= worthOf(page) + LEAST_GAIN),
+        exchanged || repeatsOf(better) < repeatsOf(page) || (hasFaces && worthOf(better) >= worthOf(page) + LEAST_GAIN),
     });
     if (!silent && store.page.peek() !== page) noteWithUndo({ messages, store, pages }, strings.betterPhotos);
   }

@@ -2,6 +2,7 @@ import { signal } from '@preact/signals';
 import { describe, expect, it, vi } from 'vitest';
 import { createSubjects } from './subjects.ts';
 import { fakeApp } from '../document/testing.ts';
+import type { Store } from '../document/store.ts';
 import type { Detection } from '../engine/types.ts';
 
 const face = { label: 'face', score: 0.9, x: 0.1, y: 0.1, width: 0.2, height: 0.2 };
@@ -11,12 +12,18 @@ const dog = { label: 'dog', score: 0.8, x: 0.4, y: 0.4, width: 0.3, height: 0.3 
 /**
  * @param look for faces
  * @param found objects of every photo
+ * @param search for objects
  */
-function app(look: (id: string) => Promise<any>, found: any[] = [], window: any = undefined) {
+function app(
+  look: (id: string) => Promise<any>,
+  found: any[] = [],
+  window: any = undefined,
+  search: (id: string) => Promise<any[]> = async () => found,
+) {
   const made = fakeApp();
   const asked: string[] = [];
   const objects: string[] = [];
-  const painted = signal(false);
+  const [painted, unsettled] = [signal(false), signal(false)];
   const nets = { asked: 0, ready: true };
   /** Ids of drafts. */
   const drafts = new Set<string>();
@@ -38,23 +45,31 @@ function app(look: (id: string) => Promise<any>, found: any[] = [], window: any 
     },
     findObjects: async (id: string) => {
       objects.push(id);
-      return found;
+      return search(id);
     },
   };
   const subjects = createSubjects({
     ...made,
     engine,
     painted: () => painted.value,
+    unsettled: () => unsettled.value,
     onFound: made.pages.refine,
     window,
   });
-  return { ...made, subjects, painted, asked, objects, nets, drafts };
+  return { ...made, subjects, painted, unsettled, asked, objects, nets, drafts };
 }
 
 const settle = () =>
   new Promise((done) => {
     setTimeout(done, 10);
   });
+
+/** Fills every panel with one photo. */
+function showOnly(store: Store, photo: string) {
+  const page = store.page.value as NonNullable<typeof store.page.value>;
+  const panels = page.panels.map((panel) => ({ ...panel, photo }));
+  store.change({ type: 'change-page', page: { ...page, panels }, silent: true });
+}
 
 describe('subjects', () => {
   it('looks for faces while photos are read, at all else once there is a page, closer after all others', async () => {
@@ -86,21 +101,43 @@ describe('subjects', () => {
     expect(store.album.value.get('p2')?.looked).toBe(true);
   });
 
-  it('looks for faces on the visible page while other photos are read', async () => {
+  it.each([
+    ['looks for faces on the visible page first while other photos are read', false],
+    ['looks for no faces in frames of other pages while a video is read', true],
+  ])('%s', async (_, isFilm) => {
     const { reading, files, painted, asked, objects, store } = app(async () => ({ boxes: [face], closer: false }));
     await reading.addFiles(files('1.jpg', '2.jpg', '3.jpg'));
-    const page = store.page.value as NonNullable<typeof store.page.value>;
-    const panels = page.panels.map((panel) => ({ ...panel, photo: 'p2' }));
+    if (isFilm) for (const fact of store.facts.value) store.know({ ...fact, video: 'film' });
     store.sketch.value = false;
-    store.change({ type: 'change-page', page: { ...page, panels }, silent: true });
+    showOnly(store, 'p3');
     asked.length = 0;
     store.reading.value = { done: 3, total: 90 };
     painted.value = true;
     await settle();
-    expect([asked, objects]).toEqual([['p2'], []]);
+    expect([asked, objects]).toEqual([isFilm ? ['p3'] : ['p3', 'p2'], []]);
+    expect(store.album.value.get('p2')?.meta?.subjects).toEqual(isFilm ? [] : [face]);
     store.reading.value = null;
     await settle();
-    expect(asked).toEqual(['p2', 'p3']);
+    expect(asked).toEqual(['p3', 'p2']);
+  });
+
+  it('tells of faces off the page, and that all faces are known, before the objects', async () => {
+    let answer: (objects: Detection[]) => void = () => {};
+    const found = new Promise<Detection[]>((done) => {
+      answer = done;
+    });
+    const look = async () => ({ boxes: [face], closer: false });
+    const { reading, files, painted, store, subjects } = app(look, [], undefined, () => found);
+    await reading.addFiles(files('1.jpg', '2.jpg', '3.jpg'));
+    store.sketch.value = false;
+    showOnly(store, 'p1');
+    painted.value = true;
+    await settle();
+    expect(store.album.value.get('p3')?.meta?.subjects).toEqual([face]);
+    expect([subjects.faced.value, subjects.searched.value]).toEqual([false, false]);
+    answer([]);
+    await settle();
+    expect([subjects.faced.value, subjects.searched.value]).toEqual([true, true]);
   });
 
   it('looks at the photos of a page that appeared just now when the user rests', async () => {
@@ -113,6 +150,36 @@ describe('subjects', () => {
     scheduler.hold(false);
     await vi.waitFor(() => expect(objects).toEqual(['p1', 'p2', 'p3']));
     expect(asked).toEqual(objects);
+  });
+
+  it('waits only a moment for a rest of the first page that may be planned again', async () => {
+    const { reading, files, painted, unsettled, objects, scheduler } = app(async () => ({ boxes: [], closer: false }));
+    scheduler.hold(true);
+    unsettled.value = true;
+    await reading.addFiles(files('1.jpg', '2.jpg'));
+    painted.value = true;
+    await settle();
+    expect(objects).toEqual([]);
+    await vi.waitFor(() => expect(objects).toEqual(['p1', 'p2']));
+  });
+
+  it('looks closer at photos off the page after the first look at all photos', async () => {
+    const answers: (() => void)[] = [];
+    const { reading, files, painted, asked, store, subjects } = app(
+      async () => ({ boxes: [face], closer: true }),
+      [],
+      undefined,
+      (id) => (id === 'p3' ? new Promise((done) => answers.push(() => done([]))) : Promise.resolve([])),
+    );
+    await reading.addFiles(files('1.jpg', '2.jpg', '3.jpg'));
+    showOnly(store, 'p1');
+    painted.value = true;
+    await settle();
+    expect(asked).toEqual(['p1', 'p2', 'p3', 'p1 closer']);
+    answers.forEach((answer) => answer());
+    await settle();
+    expect(asked.slice(4)).toEqual(['p2 closer', 'p3 closer']);
+    expect(subjects.settled.value).toBe(true);
   });
 
   it('looks for faces in drafts for the first page, and again in the photos that replace them', async () => {

@@ -1,8 +1,8 @@
 /**
  * Subject detection: photos of the current page first, then other pages; faces and objects in parallel. Face detection
  * starts when the photos of the first page are read, if its model is already loaded (`expect`). All other detection
- * starts when the page is visible and the user rests, at low priority. While photos are read, it looks for faces on the
- * visible page.
+ * starts when the page is visible and the user rests, at low priority. While photos are read, only faces are detected:
+ * on the visible page, then in other photos. The first page is planned again with them.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -34,8 +34,12 @@ type Lane = 'faces' | 'objects';
 /** Without the detectors none of the other photos can be looked at. */
 const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
 
+/** Maximum milliseconds between the first page and the detection for its second plan. A shuffle needs the workers first. */
+const SOON = 400;
+
 /**
- * @param app `painted` reads signals: whether the current page is on the screen. `wanted`: whether detection is
+ * @param app `painted` and `unsettled` read signals: whether the current page is on the screen, and whether it is the first
+ *   page that may be planned again. Detection waits for a rest of such a page only for a moment. `wanted`: whether detection is
  *   enabled. `onFound` is called with new subjects of a photo on the page.
  */
 export function createSubjects({
@@ -43,6 +47,7 @@ export function createSubjects({
   messages,
   engine,
   painted,
+  unsettled = () => false,
   onFound,
   wanted = true,
   scheduler,
@@ -55,6 +60,7 @@ export function createSubjects({
     'prepareDetectors' | 'facesReady' | 'findFaces' | 'findMoreFaces' | 'findObjects' | 'hasPhoto' | 'isDraft'
   >;
   painted: () => boolean;
+  unsettled?: () => boolean;
   onFound: () => void;
   wanted?: boolean;
   scheduler: Pick<Scheduler, 'background'>;
@@ -70,11 +76,14 @@ export function createSubjects({
   const round = signal(0);
   /** Whether the user is not browsing pages. */
   const calm = signal(true);
+  /** The last version of the page that was on the screen for a moment. Its panels may be drawn once more meanwhile. */
+  const visible = signal('');
 
+  const onPage = computed(() => photosOn(store.page.value ? [store.page.value] : []));
   const photos = computed(() => {
     round.value;
-    const [shown, beside] = [photosOn(store.page.value ? [store.page.value] : []), photosOn(store.sheets.value)];
-    const rank = (id: string) => (shown.has(id) ? 0 : beside.has(id) ? 1 : 2);
+    const beside = photosOn(store.sheets.value);
+    const rank = (id: string) => (onPage.value.has(id) ? 0 : beside.has(id) ? 1 : 2);
     const read = store.facts.value.filter(({ id, meta, looked }) => meta !== null && !looked && engine.hasPhoto(id));
     return read.map(({ id }) => id).sort((a, b) => rank(a) - rank(b));
   });
@@ -86,10 +95,16 @@ export function createSubjects({
       (store.reading.value === null && running.value.size === 0 && !due('faces') && !due('objects')),
   );
 
+  /** Whether faces were looked for in every photo, and objects in the photos of the page. */
+  const faced = computed(() =>
+    photos.value.every((id) => (onPage.value.has(id) ? !unsearched(id) : looked(id).faces !== undefined)),
+  );
+
   /** Whether every photo was looked at by both, which most crops wait for; closer looks may go on. */
   const searched = computed(() => off.value || store.page.value === null || !photos.value.some(unsearched));
 
   let shown = '';
+  let appeared = '';
   let stop = new AbortController();
   effect(() => {
     const version = store.sketch.value ? '' : store.version.value;
@@ -105,10 +120,20 @@ export function createSubjects({
   });
 
   effect(() => {
+    const version = store.version.value;
+    if (store.page.value === null || appeared === version || !painted()) return;
+    appeared = version;
+    const show = () => {
+      visible.value = version;
+    };
+    scheduler.background(show, { latest: performance.now() + SOON });
+  });
+
+  effect(() => {
     if (off.value || store.page.value === null) return;
     // The photos arrived without preparation. Waiting for faces is worth the delay.
     if (store.sketch.value) engine.prepareDetectors();
-    if (!painted() && !early()) return;
+    if (!painted() && !early() && !soon()) return;
     // The slower detection starts first.
     for (const lane of ['objects', 'faces'] as const) if (!running.value.has(lane) && next(lane)) void run(lane);
   });
@@ -118,7 +143,7 @@ export function createSubjects({
     lacking.now = false;
   });
 
-  return { progress, settled, searched, expect };
+  return { progress, settled, faced, searched, expect };
 
   /** Loads the models while the user chooses photos. */
   function expect() {
@@ -130,24 +155,32 @@ export function createSubjects({
     return store.sketch.value && engine.facesReady();
   }
 
+  /** Whether the first page was visible for a moment, and waits for the detection of all photos. */
+  function soon() {
+    return unsettled() && !store.sketch.value && visible.value === store.version.value;
+  }
+
   /** The photo to look at now; while a page is drawn the cores are the page's. */
   function next(lane: Lane): string | undefined {
-    return (painted() && calm.value) || early() ? due(lane) : undefined;
+    return (painted() && calm.value) || early() || soon() ? due(lane) : undefined;
   }
 
   /**
-   * The photo to look at next. A closer look waits for the objects of its photo, and until faces were looked for in every
-   * photo. During reading, only faces for the sketch and for the visible page are detected. A long video is read for half a
-   * minute.
+   * The photo to look at next. During reading, only faces are detected, and none in frames of other pages, because a long
+   * video is read for half a minute. A closer look waits for the objects of its photo. If its photo is not on the page, it
+   * waits for the first look at every photo.
    */
   function due(lane: Lane): string | undefined {
     if (store.sketch.value) return lane === 'faces' ? photos.value.find((id) => !looked(id).faces) : undefined;
     if (store.reading.value !== null) {
-      const shown = photosOn(store.page.value ? [store.page.value] : []);
-      return lane === 'faces' ? photos.value.find((id) => shown.has(id) && !looked(id).faces) : undefined;
+      const album = store.album.peek();
+      const isWanted = (id: string) => onPage.value.has(id) || album.get(id)?.video === undefined;
+      return lane === 'faces' ? photos.value.find((id) => isWanted(id) && !looked(id).faces) : undefined;
     }
     const first = photos.value.find((id) => looked(id)[lane] === undefined);
-    return first ?? (lane === 'faces' ? photos.value.find((id) => needsCloserLook(looked(id))) : undefined);
+    if (first !== undefined || lane === 'objects') return first;
+    const isFirst = photos.value.some(unsearched);
+    return photos.value.find((id) => needsCloserLook(looked(id)) && (onPage.value.has(id) || !isFirst));
   }
 
   async function run(lane: Lane) {
@@ -220,12 +253,16 @@ export function createSubjects({
     }
   }
 
-  /** Lets the page follow when both lanes have looked; faces count at once as long as photos are read. */
+  /**
+   * Stores the subjects of a photo. The page follows when both lanes have looked at its photo. Faces count at once while
+   * photos are read, and in photos that are not on the page.
+   */
   function tell(id: string) {
     const found = known.get(id) ?? {};
     const { faces, objects } = found;
     const fact = store.album.peek().get(id);
-    if (!faces || !(objects || store.reading.peek()) || !fact?.meta) return;
+    const isShown = onPage.peek().has(id);
+    if (!faces || !(objects || store.reading.peek() || !isShown) || !fact?.meta) return;
     // Lettering was found when the photo was read.
     const lettering = fact.meta.subjects.filter(({ label }) => label === 'lettering');
     const subjects = [...faces, ...(objects ?? []), ...lettering];
@@ -234,7 +271,7 @@ export function createSubjects({
     const looked = !!objects && !needsCloserLook(found);
     if (!same || looked)
       store.know({ ...fact, meta: same ? fact.meta : { ...fact.meta, subjects }, ...(looked ? { looked } : {}) });
-    if (!same && store.page.peek()?.panels.some(({ photo }) => photo === id)) onFound();
+    if (!same && isShown) onFound();
   }
 }
 
