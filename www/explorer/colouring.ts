@@ -1,7 +1,8 @@
 /**
  * Colours for invented styles. Rules for new styles preserve the colours of the photo, so all styles on the wall would
- * have the same colours. Three of four styles therefore get a print colour after their chain, spread evenly over the
- * colour wheel and from dark to light. The same seed gives the same colours.
+ * have the same colours. Five of six styles therefore get a print colour after their chain, spread evenly over the
+ * colour wheel. Dark tones stay dark and light tones stay light, so that faces keep their shading. The same seed gives
+ * the same colours.
  */
 
 import type { Block, Style, StyleStep } from '../engine/types.ts';
@@ -9,7 +10,13 @@ import type { Block, Style, StyleStep } from '../engine/types.ts';
 /** Degrees between a colour and the next: the golden angle, so that any number in a row is spread evenly. */
 const GOLDEN = 137.508;
 /** Ways to colour; the first leaves the photo's own colours. */
-const WAYS = 4;
+const WAYS = [none, oneInk, tintedPaper, twoInks, palette, faded];
+const PALETTES = ['poster', 'gouache', 'night'];
+/** Grey value of dark inks, 0 to 255. */
+const INK = 42;
+const SHEETS = ['smooth', 'cold-press', 'laid', 'newsprint', 'canvas'];
+/** Degrees from an ink to the hue of its paper. */
+const PAPERS = [0, 180, 40, -40];
 
 /**
  * @param style generated from the seed
@@ -17,10 +24,10 @@ const WAYS = 4;
  * @returns the same style if it preserves the colours of the photo
  */
 export function coloured(style: Style, seed: number, blocks: readonly Block[]): Style {
-  const turn = Math.floor(seed / WAYS);
+  const turn = Math.floor(seed / WAYS.length);
   const hue = Math.round(turn * GOLDEN) % 360;
   const gray = endsGray(style.background, blocks);
-  const steps = [none, oneInk, tintedPaper, turned][seed % WAYS](hue, turn, gray);
+  const steps = WAYS[seed % WAYS.length](hue, turn, gray);
   if (steps.length === 0) return style;
   return { ...style, id: `coloured-${seed}`, background: [...style.background, ...steps] };
 }
@@ -29,51 +36,81 @@ function none(): StyleStep[] {
   return [];
 }
 
-/** Everything in one colour; black becomes a dark ink. */
+/** One dark ink on a light paper. */
 function oneInk(hue: number, turn: number, gray: boolean): StyleStep[] {
-  return [
-    ...(gray ? [] : [{ block: 'to_gray' }]),
-    { block: 'colorize', hue, saturation: spread(turn, 5, 0.2, 0.6) },
-    tint((hue + 20) % 360, spread(turn, 3, 15, 55)),
-  ];
+  const sheet = paper(hue + PAPERS[turn % PAPERS.length], turn, 0.88);
+  return [...(gray ? [] : [{ block: 'to_gray' }]), plates(dark(hue)), sheet];
 }
 
-/** The photo's colours, a little weaker, on a paper with a tint. */
+/** The photo's colours on a tinted paper. */
 function tintedPaper(hue: number, turn: number, gray: boolean): StyleStep[] {
-  const depth = spread(turn, 3, 40, 100);
+  return [...(gray ? [plates(dark(hue + 180))] : []), paper(hue, turn, 0.87)];
+}
+
+/** Two inks of opposite colours. */
+function twoInks(hue: number, turn: number, gray: boolean): StyleStep[] {
+  if (gray) return oneInk(hue, turn, gray);
+  const bright = colour(hue + 150 + 30 * (turn % 3), 0.85, 0.55);
+  return [{ ...plates(dark(hue), bright), steps: [1, 5][turn % 2] }, paper(45, turn, 0.95)];
+}
+
+/** The nearest colours of a painter's palette. */
+function palette(hue: number, turn: number, gray: boolean): StyleStep[] {
+  if (gray) return oneInk(hue, turn, gray);
+  const name = PALETTES[turn % PALETTES.length];
+  return [{ block: 'flatten', palette: name, colors: 12, detail: 8, smoothness: 40, own: 40 }];
+}
+
+/** The photo's colours with an ink instead of black, as on an old print. */
+function faded(hue: number, turn: number, gray: boolean): StyleStep[] {
+  if (gray) return oneInk(hue, turn, gray);
+  const [red, green, blue] = inkOf(hue);
   return [
-    ...(gray ? [{ block: 'colorize', hue, saturation: 0.25 }] : [{ block: 'saturation', amount: 0.7 }]),
-    tint(hue, -depth),
+    { block: 'brightness', gain: 0.9, channels: 'each' },
+    { block: 'hue', red, green, blue },
+    paper(hue + 180, turn, 0.95),
   ];
 }
 
-/** The photo's colours turned to their neighbours on the wheel, darker or lighter. */
-function turned(hue: number, turn: number, gray: boolean): StyleStep[] {
-  if (gray) return oneInk((hue + 180) % 360, turn, gray);
-  const angle = (turn % 2 === 0 ? 1 : -1) * spread(turn, 5, 20, 80);
-  return [
-    { block: 'hue', angle: Math.round(angle) },
-    { block: 'brightness', gain: [0.6, 1, 1.35][turn % 3], channels: 'each' },
-  ];
+/** Plates of one or two inks. */
+function plates(first: string, second = '#ffffff'): StyleStep {
+  return { block: 'plates', inks: 'own', ink_1: first, ink_2: second, grain: 20, shift: 2 };
 }
 
-/**
- * A bias of every pixel to a hue.
- * @param strength added to the channels of the hue; a negative value is subtracted from the others
- */
-function tint(hue: number, strength: number): StyleStep {
-  const [red, green, blue] = [0, 240, 120].map((offset) => {
-    const sector = ((hue + offset) / 60) % 6;
-    const share = Math.min(1, Math.max(0, Math.abs(sector - 3) - 1));
-    return Math.round(strength * (strength < 0 ? 1 - share : share));
+/** A dark ink as `#rrggbb`. */
+function dark(hue: number): string {
+  return hex(inkOf(hue));
+}
+
+/** Red, green and blue, 0 to 255, of a dark ink. All inks are equally dark. */
+function inkOf(hue: number): number[] {
+  const ink = channels(hue, 0.7, 0.3);
+  const luma = 0.299 * ink[0] + 0.587 * ink[1] + 0.114 * ink[2];
+  return ink.map((channel) => Math.min(255, Math.round((channel * INK) / luma)));
+}
+
+/** A sheet under the picture. @param light of the sheet, 0 to 1 */
+function paper(hue: number, turn: number, light: number): StyleStep {
+  const sheet = SHEETS[turn % SHEETS.length];
+  return { block: 'paper', sheet, tint: 'own', color: colour(hue, 0.6, light), grain: 20, pigment: 10 };
+}
+
+/** A colour as `#rrggbb`. Saturation and lightness, 0 to 1, as in HSL. */
+function colour(hue: number, saturation: number, lightness: number): string {
+  return hex(channels(hue, saturation, lightness));
+}
+
+function hex(rgb: readonly number[]): string {
+  return `#${rgb.map((channel) => channel.toString(16).padStart(2, '0')).join('')}`;
+}
+
+/** Red, green and blue, 0 to 255, of a colour in HSL. */
+function channels(hue: number, saturation: number, lightness: number): number[] {
+  const spread = saturation * Math.min(lightness, 1 - lightness);
+  return [0, 8, 4].map((offset) => {
+    const at = (offset + (((hue % 360) + 360) % 360) / 30) % 12;
+    return Math.round(255 * (lightness - spread * Math.max(-1, Math.min(at - 3, 9 - at, 1))));
   });
-  return { block: 'hue', red, green, blue };
-}
-
-/** One of `count` steps from `least` to `most`. */
-function spread(turn: number, count: number, least: number, most: number): number {
-  const at = (turn * 2) % count;
-  return Number((least + ((most - least) * at) / (count - 1)).toFixed(2));
 }
 
 function endsGray(steps: readonly StyleStep[], blocks: readonly Block[]): boolean {

@@ -30,12 +30,12 @@ it('tells dark from light', () => {
   expect([20, 60, 120, 190, 250].map(at)).toEqual(['dark', 'dark', 'middle', 'light', 'light']);
 });
 
-it('of four styles in a row one keeps the colours of the photo, and all are valid files', () => {
+it('of six styles in a row one keeps the colours of the photo, and all are valid files', () => {
   const blocks = core.blocks();
   for (let seed = 0; seed < 400; seed += 1) {
     const plain = core.inventStyle(seed);
     const style = coloured(plain, seed, blocks);
-    expect(style === plain).toBe(seed % 4 === 0);
+    expect(style === plain).toBe(seed % 6 === 0);
     expect(core.checkStyle(JSON.stringify(style), 'style').background.length).toBe(style.background.length);
     const facts = core.draftFacts(core.draftOf(style));
     expect(facts.background.misfits.filter(Boolean), JSON.stringify(style)).toEqual([]);
@@ -43,13 +43,16 @@ it('of four styles in a row one keeps the colours of the photo, and all are vali
   }
 });
 
-it('the colours of a round go around the whole wheel', () => {
+it('the inks of a round go around the whole wheel, and all are equally dark', () => {
   const blocks = core.blocks();
-  const turns = new Set<number>();
-  for (let seed = 0; seed < 72; seed += 1) {
-    for (const step of coloured(core.inventStyle(seed), seed, blocks).background)
-      if (step.block === 'colorize') turns.add(Math.floor(Number(step.hue) / 40));
+  const hues = new Set<string>();
+  for (let seed = 0; seed < 108; seed += 1) {
+    for (const { block, ink_1: ink } of coloured(core.inventStyle(seed), seed, blocks).background) {
+      if (block !== 'plates') continue;
+      const [red, green, blue] = [1, 3, 5].map((at) => Number.parseInt(String(ink).slice(at, at + 2), 16));
+      expect(0.299 * red + 0.587 * green + 0.114 * blue).toBeCloseTo(42, -0.3);
+      hues.add(coloursOf(cells([red, green, blue])).hue);
+    }
   }
-  expect(turns.size).toBe(9);
-  expect(HUES).toHaveLength(10);
+  expect([...hues].sort()).toEqual(HUES.filter((hue) => !['mixed', 'gray'].includes(hue)).sort());
 });
