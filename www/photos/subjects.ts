@@ -206,7 +206,7 @@ export function createSubjects({
   }
 
   /**
-   * What was found in a photo. The result of a draft ends with the draft. A draft without faces has enough pixels for
+   * The detection result of a photo. The result of a draft ends with the draft. A draft without faces has enough pixels for
    * the first look, so only the closer look follows.
    */
   function looked(id: string): Looked {
