@@ -28,7 +28,7 @@ const LOOK = 1000;
 const LEAST_GAIN = 2;
 /** Points of a page of text, such as a receipt. */
 const TEXT = -2;
-/** What is known of all photos. */
+/** Knowledge of all photos: their shots, also their faces, also their objects. */
 type Known = 'shots' | 'faces' | 'objects';
 /** Events of a user. */
 const ACTS = ['pointerdown', 'keydown', 'wheel'];
@@ -58,7 +58,7 @@ export function planAgain({
   window: Pick<Window, 'addEventListener'>;
   now?: () => number;
 }) {
-  /** What was known when the choice was compared last. */
+  /** The knowledge at the last comparison of the choice. */
   let tried: Known | null = null;
   const forget = () => {
     if (composed.peek() === null) return;
