@@ -74,6 +74,20 @@ test('a better choice replaces the first page when all faces are known, before t
   expect(names()).toEqual(replaced);
 });
 
+test('another first page is also replaced when all faces are known', async () => {
+  const { store, pages, composed, faced, find, names } = await app(['8.jpg', '9.jpg']);
+  faced.value = true;
+  composed.value = null;
+  faced.value = false;
+  const page = store.page.value as NonNullable<typeof store.page.value>;
+  pages.show({ ...page, style: 'noir' }, { silent: true });
+  composed.value = { version: store.version.value, at: 0 };
+  find();
+  expect(names()).not.toContain('9.jpg');
+  faced.value = true;
+  expect(names()).toContain('9.jpg');
+});
+
 test('the choice is compared again at the end of the detection, if the faces changed nothing', async () => {
   const { faced, search, names } = await app(['9.jpg']);
   const before = names();

@@ -58,8 +58,8 @@ export function planAgain({
   window: Pick<Window, 'addEventListener'>;
   now?: () => number;
 }) {
-  /** The knowledge at the last comparison of the choice. */
-  let tried: Known | null = null;
+  /** The version and the knowledge at the last comparison of the choice. */
+  let tried = '';
   const forget = () => {
     if (composed.peek() === null) return;
     composed.value = null;
@@ -75,8 +75,9 @@ export function planAgain({
     if (reading.value !== null || store.sketch.value) return;
     const known: Known = searched.value ? 'objects' : faced.value ? 'faces' : 'shots';
     // Other shots need no detection, which takes long for a video.
-    if (tried === known || (known === 'shots' && untracked(() => repeatsOf(store.page.peek())) === 0)) return;
-    tried = known;
+    const step = `${own} ${known}`;
+    if (tried === step || (known === 'shots' && untracked(() => repeatsOf(store.page.peek())) === 0)) return;
+    tried = step;
     if (known === 'objects') forget();
     const age = now() - at;
     if (age <= OLDEST) untracked(() => replace({ known, silent: age < LOOK }));
