@@ -34,13 +34,13 @@ const letters = {
   stay: ({ words }: any, _photos: Record<string, KnownPhoto>, index: number) =>
     fits && words[index].auto ? words : null,
   measure: ({ words }: any) =>
-    words.map(({ x = 0.5, y = 0.5, tail }: Word, i: number) => ({
+    words.map(({ x = 0.5, y = 0.5, tail, size }: Word, i: number) => ({
       x: x - 0.05,
       y: y - 0.05,
       width: 0.1,
       height: 0.1,
       tip: tail ? [tail.x, tail.y] : null,
-      size: 0.02,
+      size: typeof size === 'number' ? size : 0.02,
       cut: false,
       turn: turns[i] ?? i,
     })),
@@ -300,6 +300,22 @@ describe('words', () => {
     expect(lettering.words.value[0].text).toBe('old');
     lettering.write(0, 'older');
     expect(lettering.draft.value).toBeNull();
+  });
+
+  test('the font and the size of one are used for all with its role, as one step', async () => {
+    for (const role of ['balloon', 'balloon', 'caption', 'title'] as const) await lettering.add(role);
+    lettering.edit(1, { font: 'bangers', size: 0.03, auto: false, x: 0.7, y: 0.8 });
+    lettering.edit(0, { size: 0.01 });
+    const [before, steps] = [lettering.words.value, past()];
+    expect(before.map((_, i) => lettering.alike(i))).toEqual([[1], [0], [], []]);
+    lettering.match(1, lettering.step());
+    const after = lettering.words.value;
+    expect(after.map(({ font, size }) => [font, size]).slice(0, 2)).toEqual(Array(2).fill(['bangers', 0.03]));
+    expect([after[1].x, after[1].y]).toEqual([0.7, 0.8]);
+    expect(after.slice(2)).toEqual(before.slice(2));
+    expect(past()).toBe(steps + 1);
+    lettering.match(0);
+    expect(lettering.words.value[0].size).toBe(0.03);
   });
 
   test('a drag is one step, and what was moved stays where it is through every shuffle', async () => {

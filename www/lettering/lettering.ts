@@ -7,7 +7,7 @@ import { computed, effect, signal, untracked } from '@preact/signals';
 import { language, strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
 import { noteUntilUndo } from '../ui/undo-note.ts';
-import { TITLE_FONT, wordName } from '../document/word-names.ts';
+import { TITLE_FONT, roleOf, wordName } from '../document/word-names.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { chainOf, hangsOn, joinedBefore, parted } from './joining.ts';
 import { anchored, pagePoint } from './word-places.ts';
@@ -116,6 +116,8 @@ export function createLettering({
     point,
     resize,
     turn,
+    alike,
+    match,
     join,
     reorder,
     measured,
@@ -321,6 +323,27 @@ export function createLettering({
     const stayed = isPlaced ? null : planning.stayed(next, index, box, chain.length === 1);
     // Otherwise all balloons of its chain are placed again.
     return stayed ?? settled(next, stays ? [] : chain);
+  }
+
+  /** Indices of the other text items with the role of one. */
+  function alike(index: number): number[] {
+    const role = words.value[index] && roleOf(words.value[index]);
+    return words.value.flatMap((word, i) => (i !== index && roleOf(word) === role ? [i] : []));
+  }
+
+  /** Gives the font and the letter size of a text item to the others with its role. Automatic items are placed again. */
+  function match(index: number, gesture?: string) {
+    const page = store.page.peek();
+    const box = boxes.peek()[index];
+    if (!page || !box) return;
+    const others = alike(index);
+    const look = { font: words.peek()[index].font, size: rounded(box.size), ...BY_HAND };
+    const all = words.peek().map((word, i) => (i === index || others.includes(i) ? { ...word, ...look } : word));
+    setPage(
+      { ...page, words: all },
+      others.filter((i) => all[i].auto),
+      gesture,
+    );
   }
 
   /** Links a balloon to the previous one on its panel, or removes its link. */

@@ -109,6 +109,13 @@ export function createTextActions({
       run: () => lettering.settleOne(chosen.peek()),
       undo: 'step',
     },
+    match: {
+      label: strings.matchWords,
+      icon: 'text',
+      enabled: computed(() => enabled.value && lettering.alike(chosen.value).length > 0),
+      run: () => lettering.match(chosen.peek(), lettering.step()),
+      undo: 'step',
+    },
     removeTail: {
       label: strings.removeTail,
       icon: 'close',

@@ -177,6 +177,7 @@ export function WordFields({ index }: { index: number }) {
           />
         )}
       </div>
+      {actions.text.match.enabled.value && <ActionButton action={actions.text.match} class="button small" text />}
       <div class="word-switches">
         <Switch label={strings.wordCapitals} on={capitals(word)} onChange={(on) => set({ capitals: on })} />
         <Switch label={strings.wordVertical} on={word.vertical ?? false} onChange={(vertical) => set({ vertical })} />
