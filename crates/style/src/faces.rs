@@ -50,6 +50,8 @@ const PALEST: f32 = 0.7;
 /// skin bears less: the first number, and the part of the strength of its colour.
 const TINT: f32 = 7.0;
 const PALE_TINT: (f32, f32) = (3.0, 0.4);
+/// Share of the mask of a face up to which only skin keeps the colours of the photo: 1.05 half sides from the centre.
+const AROUND: f32 = 0.84;
 /// Part of the way to black and to white that tones of a face may take.
 const TONES: (f32, f32) = (0.62, 0.55);
 
@@ -333,10 +335,14 @@ impl<'a> Care<'a> {
                 plane.row_mut(y)[x] = value.round().clamp(0.0, 255.0) as u8;
             }
         };
-        for face in &self.faces {
-            each_pixel(face, photo.width(), photo.height(), &mut hold);
-        }
         let skin = Skin::of(photo, &self.faces);
+        for face in &self.faces {
+            each_pixel(face, photo.width(), photo.height(), |x, y, share| {
+                // Around the face, only skin: a light backdrop would get a gray halo.
+                let inner = ((share - AROUND) / (1.0 - AROUND)).max(0.0);
+                hold(x, y, inner.max(share * skin.share(x, y, rgb_at(photo, x, y))));
+            });
+        }
         let (columns, rows) = skin.bounds();
         for y in rows {
             for x in columns.clone() {
@@ -837,6 +843,25 @@ mod tests {
         };
         let (plain, cared) = (depth(&drawn(json, &photo, false)), depth(&drawn(json, &photo, true)));
         assert!(cared > 20 && cared > plain + 15, "{plain} {cared}");
+    }
+
+    #[test]
+    fn a_light_backdrop_gets_no_gray_halo() {
+        let (mut photo, face) = portrait([235, 190, 165]);
+        for y in 0..240 {
+            for x in 0..336 {
+                if rgb_at(&photo, x, y) == [90.0, 140.0, 80.0] {
+                    photo.planes_mut().iter_mut().for_each(|plane| plane.row_mut(y)[x] = 190);
+                }
+            }
+        }
+        let photo = (photo, face);
+        let bright = r#"{"background":[{"block":"brightness","gain":1.6,"channels":"each"}]}"#;
+        let [plain, cared] = [false, true].map(|cares| luma_plane(&drawn(bright, &photo, cares)));
+        for (x, y) in [(112, 120), (168, 50), (60, 200)] {
+            assert!(cared.at(x, y) > 250, "{x} {y}: {} {}", plain.at(x, y), cared.at(x, y));
+        }
+        assert!(cared.at(150, 130) + 10 < plain.at(150, 130), "the skin is held");
     }
 
     #[test]

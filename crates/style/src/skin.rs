@@ -1,6 +1,7 @@
 //! Skin of people beyond their faces, so that arms, hands and necks keep natural colours too.
 //!
-//! A pixel is skin if it lies near a face and has a similar ratio of chroma to luma, which hardly depends on light.
+//! A pixel is skin if it lies near a face and has a similar ratio of chroma to luma, which hardly depends on light. Gray walls
+//! and snow are no skin, even next to a pale face.
 //! The limits were chosen by visual comparison.
 
 use std::ops::Range;
@@ -14,6 +15,11 @@ const REACH: [f64; 3] = [3.0, 1.0, 8.0];
 const FADE: f64 = 0.4;
 /// Difference of the ratio of chroma to luma from the face: at most the first for skin, at least the second for other things.
 const LIKE: (f32, f32) = (0.07, 0.15);
+/// The part of a face's ratio that a pixel has in the same direction: at most the first for things without colour, at least the
+/// second for skin.
+const COLOURED: (f32, f32) = (0.3, 0.6);
+/// Least ratio of a face with a colour. Masked faces and gray photos have less.
+const LEAST: f32 = 0.05;
 /// Luma below which a pixel has no reliable colour, in grey levels.
 const DARK: f32 = 36.0;
 /// Added to luma, so that the ratios of dark pixels stay small.
@@ -59,7 +65,7 @@ struct Person {
 }
 
 impl Skin {
-    /// Measures the colours of faces. A dark face has no reliable colour.
+    /// Measures the colours of faces. A dark or gray face has no reliable colour.
     pub(super) fn of(photo: &Image, faces: &[&FaceBox]) -> Self {
         let people = faces.iter().filter_map(|face| Person::of(photo, face)).collect();
         Self { people, size: (photo.width(), photo.height()) }
@@ -84,8 +90,11 @@ impl Skin {
         let [u, v] = tint(rgb, luma);
         let share = |person: &Person| {
             let (du, dv) = (u - person.tint[0], v - person.tint[1]);
-            let like = ((LIKE.1 - (du * du + dv * dv).sqrt()) / (LIKE.1 - LIKE.0)).clamp(0.0, 1.0);
-            like * person.columns.share(x).min(person.rows.share(y))
+            let like = ((LIKE.1 - length([du, dv])) / (LIKE.1 - LIKE.0)).clamp(0.0, 1.0);
+            let own = length(person.tint);
+            let along = (u * person.tint[0] + v * person.tint[1]) / (own * own);
+            let coloured = ((along - COLOURED.0) / (COLOURED.1 - COLOURED.0)).clamp(0.0, 1.0);
+            like * coloured * person.columns.share(x).min(person.rows.share(y))
         };
         self.people.iter().map(share).fold(0.0, f32::max)
     }
@@ -117,10 +126,11 @@ impl Person {
             end: start + (1.0 + after) * side,
             fade: [before, after].map(|reach| (FADE * reach * side).max(1.0)),
         };
-        (luma(mean) >= DARK).then(|| Self {
+        let tint = tint(mean, luma(mean));
+        (luma(mean) >= DARK && length(tint) >= LEAST).then(|| Self {
             columns: reach(face.x, face.width, [REACH[0]; 2]),
             rows: reach(face.y, face.height, [REACH[1], REACH[2] - 1.0]),
-            tint: tint(mean, luma(mean)),
+            tint,
         })
     }
 }
@@ -128,6 +138,11 @@ impl Person {
 /// Blue and red chroma over luma.
 fn tint([r, _, b]: [f32; 3], luma: f32) -> [f32; 2] {
     [(b - luma) / (luma + FLOOR), (r - luma) / (luma + FLOOR)]
+}
+
+// Products and square roots are rounded identically on all platforms.
+fn length([u, v]: [f32; 2]) -> f32 {
+    (u * u + v * v).sqrt()
 }
 
 #[cfg(test)]
@@ -158,5 +173,23 @@ mod tests {
         assert!(share(190) > 0.95 && (0.3..0.7).contains(&share(216)) && share(239) < 0.05);
         let far = FaceBox { x: 0.0, y: 0.0, width: 8.0, height: 8.0 };
         assert!(Skin::of(&photo, &[&far]).share(150, 120, [210.0, 160.0, 135.0]) < 0.01, "another person");
+    }
+    #[test]
+    fn gray_walls_are_no_skin() {
+        let [wall, snow] = [[200.0, 200.0, 202.0], [238.0, 240.0, 242.0]];
+        let photo = |face: [u8; 3]| {
+            let plane = |i: usize| Plane::from_fn(200, 200, |_, y| if y < 100 { face[i] } else { 200 });
+            Image::from_rgb([plane(0), plane(1), plane(2)]).unwrap()
+        };
+        let face = FaceBox { x: 80.0, y: 20.0, width: 40.0, height: 50.0 };
+        let pale = Skin::of(&photo([235, 212, 200]), &[&face]);
+        assert!(pale.share(100, 120, wall) < 0.01 && pale.share(100, 120, snow) < 0.01);
+        assert!(
+            pale.share(100, 120, [225.0, 200.0, 187.0]) > 0.95
+                && pale.share(100, 120, [150.0, 134.0, 126.0]) > 0.9
+        );
+        let gray = Skin::of(&photo([150, 150, 156]), &[&face]);
+        assert!(gray.share(100, 120, wall) < 0.01, "a masked face");
+        assert_eq!(gray.bounds(), (0..0, 0..0));
     }
 }
