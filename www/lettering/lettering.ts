@@ -339,11 +339,7 @@ export function createLettering({
     const others = alike(index);
     const look = { font: words.peek()[index].font, size: rounded(box.size), ...BY_HAND };
     const all = words.peek().map((word, i) => (i === index || others.includes(i) ? { ...word, ...look } : word));
-    setPage(
-      { ...page, words: all },
-      others.filter((i) => all[i].auto),
-      gesture,
-    );
+    setPage({ ...page, words: all }, others, gesture);
   }
 
   /** Links a balloon to the previous one on its panel, or removes its link. */

@@ -179,8 +179,8 @@ export function createSubjects({
     }
     const first = photos.value.find((id) => looked(id)[lane] === undefined);
     if (first !== undefined || lane === 'objects') return first;
-    const isFirst = photos.value.some(unsearched);
-    return photos.value.find((id) => needsCloserLook(looked(id)) && (onPage.value.has(id) || !isFirst));
+    const isSearching = photos.value.some(unsearched);
+    return photos.value.find((id) => needsCloserLook(looked(id)) && (onPage.value.has(id) || !isSearching));
   }
 
   async function run(lane: Lane) {
