@@ -5,8 +5,13 @@
 
 use wide::i16x8;
 
+use super::lanes::{even_lanes, interleave_high, interleave_low, odd_lanes};
+
 /// Samples an operation.
 pub const LANES: usize = 8;
+
+/// Groups of lanes per loop, which hide the latency of the products. Measured: native code runs out of registers at 8.
+const GROUP: usize = if cfg!(target_arch = "wasm32") { 8 } else { 4 };
 
 /// Longest reach of a kernel; wider blurs run on a coarser grid.
 pub const MAX_RADIUS: usize = 12;
@@ -101,14 +106,20 @@ pub fn vertical_between<'a>(
 /// Every other sample of a row, convolved: `out[j]` is centred on `padded[2 j + 2 * ceil(radius / 2)]`.
 pub fn decimate(kernel: &Kernel, padded: &[i16], out: &mut [i16], split: &mut [Vec<i16>; 2]) {
     let [even, odd] = split;
-    even.clear();
-    odd.clear();
-    let (pairs, _) = padded.as_chunks::<2>();
-    even.extend(pairs.iter().map(|pair| pair[0]));
-    odd.extend(pairs.iter().map(|pair| pair[1]));
-    let tail = [padded[padded.len() - 1]; LANES];
-    even.extend_from_slice(&tail);
-    odd.extend_from_slice(&tail);
+    let half = padded.len() / 2 / LANES * LANES;
+    even.resize(half + 2 * LANES, 0);
+    odd.resize(half + 2 * LANES, 0);
+    let (groups, rest) = padded.as_chunks::<{ 2 * LANES }>();
+    for (i, group) in groups.iter().enumerate() {
+        let (a, b) = (i16x8::from(&group[..LANES]), i16x8::from(&group[LANES..]));
+        even[i * LANES..][..LANES].copy_from_slice(even_lanes(a, b).as_array());
+        odd[i * LANES..][..LANES].copy_from_slice(odd_lanes(a, b).as_array());
+    }
+    // The last group is not complete. Lanes beyond the row are computed, but not stored.
+    for (i, pair) in rest.chunks(2).enumerate() {
+        even[half + i] = pair[0];
+        odd[half + i] = pair[pair.len() - 1];
+    }
     let centre = kernel.radius().div_ceil(2);
     let sample = |position: usize| -> (&[i16], usize) {
         if position.is_multiple_of(2) { (even, position / 2) } else { (odd, position / 2) }
@@ -129,26 +140,25 @@ pub fn decimate(kernel: &Kernel, padded: &[i16], out: &mut [i16], split: &mut [V
 
 /// Fills in between coarse samples along a row: `out[x]` for all x, where `padded[j + before]` is coarse
 /// sample `j` at position 2 j.
-pub fn interpolate(
-    (even, odd): (&Kernel, &Kernel),
-    padded: &[i16],
-    before: usize,
-    out: &mut [i16],
-    phases: &mut [Vec<i16>; 2],
-) {
-    let half = out.len().div_ceil(2).next_multiple_of(LANES);
-    for phase in phases.iter_mut() {
-        phase.resize(half, 0);
+pub fn interpolate((even, odd): (&Kernel, &Kernel), padded: &[i16], before: usize, out: &mut [i16]) {
+    const TWO: usize = 2 * LANES;
+    let mut chunks = out.chunks_exact_mut(GROUP / 2 * TWO);
+    let mut j = before;
+    for chunk in &mut chunks {
+        let evens = weighted::<{ GROUP / 2 }>(even, |k| (&padded[j - k..], &padded[j + k..]));
+        let odds = weighted::<{ GROUP / 2 }>(odd, |k| (&padded[j + 1 - k..], &padded[j + k..]));
+        for (out, (even, odd)) in chunk.as_chunks_mut::<TWO>().0.iter_mut().zip(evens.into_iter().zip(odds)) {
+            out[..LANES].copy_from_slice(interleave_low(even, odd).as_array());
+            out[LANES..].copy_from_slice(interleave_high(even, odd).as_array());
+        }
+        j += GROUP / 2 * LANES;
     }
-    let [evens, odds] = phases;
-    convolve(even, evens, |x, k| &padded[x + before - k..], |x, k| &padded[x + before + k..]);
-    convolve(odd, odds, |x, k| &padded[x + before + 1 - k..], |x, k| &padded[x + before + k..]);
-    let (pairs, tail) = out.as_chunks_mut::<2>();
-    for ((pair, &even), &odd) in pairs.iter_mut().zip(evens.iter()).zip(odds.iter()) {
-        *pair = [even, odd];
-    }
-    if let [last] = tail {
-        *last = evens[pairs.len()];
+    for out in chunks.into_remainder().chunks_mut(TWO) {
+        let [evens] = weighted::<1>(even, |k| (&padded[j - k..], &padded[j + k..]));
+        let [odds] = weighted::<1>(odd, |k| (&padded[j + 1 - k..], &padded[j + k..]));
+        let both = [interleave_low(evens, odds), interleave_high(evens, odds)];
+        out.copy_from_slice(&bytemuck::cast_slice(&both)[..out.len()]);
+        j += LANES;
     }
 }
 
@@ -182,8 +192,7 @@ fn groups<const N: usize>(row: &[i16]) -> [i16x8; N] {
     std::array::from_fn(|g| i16x8::new(groups[g]))
 }
 
-/// The loop under all of them. Four groups of lanes at a time hide the latency of the products. The last,
-/// incomplete group is computed completely, and only the valid part is stored.
+/// The loop of most of them. The last, incomplete group is computed completely, and only the valid part is stored.
 #[inline]
 fn convolve<'a>(
     kernel: &Kernel,
@@ -191,7 +200,6 @@ fn convolve<'a>(
     left: impl Fn(usize, usize) -> &'a [i16],
     right: impl Fn(usize, usize) -> &'a [i16],
 ) {
-    const GROUP: usize = 4;
     let mut x = 0;
     while x + GROUP * LANES <= out.len() {
         let sums = weighted::<GROUP>(kernel, |k| (left(x, k), right(x, k)));

@@ -213,8 +213,7 @@ fn interpolate(half: &Fine, margin: usize, rows: &mut impl Rows, buffers: &mut B
         let first = (y / 2 + margin) as isize;
         recent.make(first + reach as isize, |j, row| {
             pad_row(half.row_clamped(j as isize), reach, length, &mut buffers.padded);
-            let (padded, split) = (&buffers.padded, &mut buffers.split);
-            fir::interpolate((&even, &odd), padded, reach + margin, row, split);
+            fir::interpolate((&even, &odd), &buffers.padded, reach + margin, row);
         });
         let row = |j: isize| recent.row_clamped(j + margin as isize);
         rows.write(y, spare.row_mut(0), |out| fir::vertical_between((&even, &odd), y, row, out));

@@ -43,6 +43,32 @@ pub fn interleave_high(a: i16x8, b: i16x8) -> i16x8 {
     }
 }
 
+/// Lanes 0, 2, 4 and 6 of `a`, then of `b`.
+#[inline]
+#[must_use]
+pub fn even_lanes(a: i16x8, b: i16x8) -> i16x8 {
+    #[cfg(target_feature = "simd128")]
+    return core::arch::wasm32::i16x8_shuffle::<0, 2, 4, 6, 8, 10, 12, 14>(a.into(), b.into()).into();
+    #[cfg(not(target_feature = "simd128"))]
+    {
+        let lower = |pairs: i16x8| (cast::<i16x8, i32x4>(pairs) << 16u32) >> 16u32;
+        narrow(lower(a), lower(b))
+    }
+}
+
+/// Lanes 1, 3, 5 and 7 of `a`, then of `b`.
+#[inline]
+#[must_use]
+pub fn odd_lanes(a: i16x8, b: i16x8) -> i16x8 {
+    #[cfg(target_feature = "simd128")]
+    return core::arch::wasm32::i16x8_shuffle::<1, 3, 5, 7, 9, 11, 13, 15>(a.into(), b.into()).into();
+    #[cfg(not(target_feature = "simd128"))]
+    {
+        let upper = |pairs: i16x8| cast::<i16x8, i32x4>(pairs) >> 16u32;
+        narrow(upper(a), upper(b))
+    }
+}
+
 /// Eight 32-bit lanes as 16-bit ones, clamped.
 #[inline]
 #[must_use]
@@ -62,6 +88,11 @@ mod tests {
         let (a, b) = (i16x8::new([0, 1, 2, 3, 4, 5, 6, 7]), i16x8::new([10, 11, 12, 13, 14, 15, 16, 17]));
         assert_eq!(interleave_low(a, b).to_array(), [0, 10, 1, 11, 2, 12, 3, 13]);
         assert_eq!(interleave_high(a, b).to_array(), [4, 14, 5, 15, 6, 16, 7, 17]);
+        assert_eq!(even_lanes(a, b).to_array(), [0, 2, 4, 6, 10, 12, 14, 16]);
+        assert_eq!(odd_lanes(a, b).to_array(), [1, 3, 5, 7, 11, 13, 15, 17]);
+        let ends = i16x8::new([i16::MIN, i16::MAX, -1, 0, i16::MAX, i16::MIN, 0, -1]);
+        assert_eq!(even_lanes(ends, a).to_array(), [i16::MIN, -1, i16::MAX, 0, 0, 2, 4, 6]);
+        assert_eq!(odd_lanes(ends, a).to_array(), [i16::MAX, 0, i16::MIN, -1, 1, 3, 5, 7]);
         let wide = |first: i32| i32x4::new([first, -1, 40_000, -40_000]);
         assert_eq!(
             narrow(wide(5), wide(6)).to_array(),
