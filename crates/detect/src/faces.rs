@@ -24,18 +24,22 @@ const THRESHOLD: f64 = 0.5;
 const CLOSER_THRESHOLD: f64 = 0.7;
 const SAME: f64 = 0.3;
 
-/// Side of a part as a share of the photo. With two parts per side, neighbours overlap by a fifth of the
-/// photo.
-const PART: f64 = 0.6;
+/// Parts of a photo along each side, and the overlap of neighbours in sides of a part.
+const QUARTERS: (usize, f64) = (2, 1.0 / 3.0);
+/// The same for ninths, which find most faces of a large group.
+const NINTHS: (usize, f64) = (3, 0.25);
+/// Sides of a part in its shorter sides, at most. A panorama has more parts along its longer side, because the model sees each
+/// part in a square.
+const LONGEST_PART: f64 = 1.9;
+const MOST_PARTS: usize = 8;
 /// Minimum longer side, in pixels, at which parts of a photo can show more faces.
 const LARGE: usize = 2 * SIDE;
 /// A face below this share of the photo is small. If there is one, others may be too small for the first
 /// search.
 const SMALL: f64 = 0.12;
-/// The same for ninths of the photo, which find most faces of a large group. Neighbours overlap by a tenth.
-const SMALLER_PART: f64 = 0.4;
+/// The same for ninths of the photo: the height of a small face in heights of the photo, or in its longer sides.
 const LARGER: usize = 4 * SIDE;
-const SMALLER: f64 = 0.07;
+const SMALLER: (f64, f64) = (0.07, 0.05);
 /// Score below which the photo is searched again with a margin. A face that fills the photo is too large for the model, so
 /// the model misses it or is unsure.
 const UNSURE: f64 = 0.78;
@@ -121,9 +125,9 @@ impl Faces {
     ) -> Result<Vec<Detection>> {
         let mut all: Vec<Candidate> = candidates(first).collect();
         if worth_a_closer_look(photo, first) {
-            all.extend(self.in_parts(photo, (2, PART))?);
+            all.extend(self.in_parts(photo, QUARTERS)?);
             if worth_the_closest_look(photo, &all) {
-                all.extend(self.in_parts(photo, (3, SMALLER_PART))?);
+                all.extend(self.in_parts(photo, NINTHS)?);
             }
         }
         for person in objects.iter().filter(|object| is_near_person(photo, object)).take(PERSONS) {
@@ -144,13 +148,10 @@ impl Faces {
         Ok(found)
     }
 
-    /// The faces in overlapping parts of a photo: the number of parts along a side, and the side of one.
-    fn in_parts(&self, photo: &Image, (count, part): (usize, f64)) -> Result<Vec<Candidate>> {
+    /// The faces in overlapping parts of a photo.
+    fn in_parts(&self, photo: &Image, parts: (usize, f64)) -> Result<Vec<Candidate>> {
         let mut all = Vec::new();
-        let start = |at: usize| at as f64 * (1.0 - part) / (count - 1) as f64;
-        for (x, y) in (0..count * count).map(|at| (start(at % count), start(at / count))) {
-            let [width, height] = sides(photo);
-            let region = Region { x: x * width, y: y * height, width: part * width, height: part * height };
+        for region in parts_of(sides(photo), parts) {
             all.extend(self.in_region(photo, region, CLOSER_THRESHOLD)?);
         }
         Ok(all)
@@ -205,7 +206,27 @@ pub fn worth_a_closer_look(photo: &Image, faces: &[Detection]) -> bool {
 /// Whether ninths of the photo may show more faces: when there is a very small one.
 fn worth_the_closest_look(photo: &Image, faces: &[Candidate]) -> bool {
     let smallest = faces.iter().map(|face| face.corners[3] - face.corners[1]).fold(f64::INFINITY, f64::min);
-    photo.width().max(photo.height()) >= LARGER && smallest < SMALLER
+    let [width, height] = sides(photo);
+    let longer = width.max(height);
+    longer >= LARGER as f64 && smallest * height < (SMALLER.0 * height).max(SMALLER.1 * longer)
+}
+
+/// Overlapping parts of a photo, row by row. `count`: parts along the shorter side. `overlap`: of neighbours, in sides of a part.
+fn parts_of([width, height]: [f64; 2], (count, overlap): (usize, f64)) -> Vec<Region> {
+    let part = |count: usize| 1.0 / (count as f64 - (count - 1) as f64 * overlap);
+    let along = |side: f64, other: f64| {
+        let longest = LONGEST_PART * part(count) * other;
+        (count..MOST_PARTS).find(|more| part(*more) * side <= longest).unwrap_or(MOST_PARTS)
+    };
+    let (columns, rows) = (along(width, height), along(height, width));
+    let start = |at: usize, count: usize| at as f64 * (1.0 - overlap) * part(count);
+    let region = |at: usize| Region {
+        x: start(at % columns, columns) * width,
+        y: start(at / columns, rows) * height,
+        width: part(columns) * width,
+        height: part(rows) * height,
+    };
+    (0..columns * rows).map(region).collect()
 }
 
 fn sides(photo: &Image) -> [f64; 2] {
@@ -272,6 +293,28 @@ fn detections(candidates: Vec<Candidate>) -> Vec<Detection> {
 mod tests {
     use super::*;
     use inkpanel_image::raster::Plane;
+
+    #[test]
+    fn parts_cover_a_photo_and_a_panorama_has_more() {
+        for (sides, parts, count) in [
+            ([300.0, 200.0], QUARTERS, 4),
+            ([160.0, 90.0], NINTHS, 9),
+            ([250.0, 100.0], QUARTERS, 6),
+            ([100.0, 250.0], QUARTERS, 6),
+            ([250.0, 100.0], NINTHS, 15),
+            ([9000.0, 100.0], NINTHS, 24),
+        ] {
+            let regions = parts_of(sides, parts);
+            assert_eq!(regions.len(), count, "{sides:?}");
+            let end = |of: fn(&Region) -> f64| regions.iter().map(of).fold(0.0, f64::max);
+            assert!((end(|part| part.x + part.width) - sides[0]).abs() < 1e-9);
+            assert!((end(|part| part.y + part.height) - sides[1]).abs() < 1e-9);
+            let is_wide = |part: &Region| part.width > LONGEST_PART * part.height + 1e-9;
+            assert!(count == 24 || !regions.iter().any(is_wide));
+        }
+        let quarters = parts_of([1.0, 1.0], QUARTERS);
+        assert!((quarters[0].width - 0.6).abs() < 1e-9 && (quarters[3].x - 0.4).abs() < 1e-9);
+    }
 
     #[test]
     fn a_face_that_an_inner_edge_cuts_is_left_to_the_other_part() {
