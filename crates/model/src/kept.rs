@@ -78,7 +78,7 @@ pub fn write(history: &History, dropped: &Dropped) -> String {
     write_saved(history, None, dropped)
 }
 
-/// Like [`write`], with the gesture of the last edit.
+/// Like [`write()`], with the gesture of the last edit.
 #[must_use]
 pub fn write_saved(history: &History, gesture: Option<&str>, dropped: &Dropped) -> String {
     let mut parts = Interner::default();

@@ -850,7 +850,7 @@ mod tests {
         let (mut photo, face) = portrait([235, 190, 165]);
         for y in 0..240 {
             for x in 0..336 {
-                if rgb_at(&photo, x, y) == [90.0, 140.0, 80.0] {
+                if photo.planes().iter().map(|plane| plane.at(x, y)).eq([90, 140, 80]) {
                     photo.planes_mut().iter_mut().for_each(|plane| plane.row_mut(y)[x] = 190);
                 }
             }
