@@ -78,3 +78,11 @@ it('does without the net where none is wanted', async () => {
   await vi.waitFor(() => expect(ids().length).toBeGreaterThanOrEqual(6));
   expect(mean).not.toHaveBeenCalled();
 });
+
+it('forgets the styles when another project is opened', async () => {
+  const { ids, store } = await app(() => ({ fault: '', score: 0.9 }));
+  await vi.waitFor(() => expect(ids().length).toBeGreaterThanOrEqual(6));
+  const place = { ...store.place.value, id: 'another' };
+  store.load({ editing: null, album: new Map(), videos: new Map(), place });
+  expect(ids()).toEqual([]);
+});

@@ -52,9 +52,13 @@ export function createInventions({
 }) {
   const ready = signal([] as readonly Style[]);
   let stop = new AbortController();
+  let place = '';
 
   effect(() => {
     const page = store.page.value;
+    // Another project has other photos.
+    if (store.place.value.id !== place) ready.value = [];
+    place = store.place.value.id;
     const share = store.project.value.styling.invented;
     // One that is on the page was drawn: the next shuffle has another.
     const shown = typeof page?.style === 'string' ? page.style : page?.style.id;

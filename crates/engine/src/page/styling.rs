@@ -55,7 +55,11 @@ fn draw(
     let lines_only = wish.keep_colours && current.is_some();
     let before = current.and_then(|style| style.id());
     let shown = |id: &str| Some(id) == before || request.avoid.styles.iter().any(|other| other == id);
-    if wish.invented > 0.0 && !lines_only && random.rand_float() < wish.invented {
+    // The first page must look good at once: it gets one of the best styles, and no invented one. A request with families is not
+    // a first page without wishes.
+    let families = &request.within.styles;
+    let best = current.is_none() && families.is_empty();
+    if wish.invented > 0.0 && !lines_only && random.rand_float() < wish.invented && !best {
         let Some(tried) = &wish.inventions else {
             return Ok(StyleRef::of(&procedural::invent(random.rand_u64() as u32)));
         };
@@ -66,11 +70,6 @@ fn draw(
         }
     }
     let is_slow = |style: &Style| wish.quick && style.has_block("painter");
-    // The first page must look good at once.
-    let first = current.is_none();
-    let families = &request.within.styles;
-    // A request with families is not a first page without wishes.
-    let best = first && families.is_empty();
     let colours = if best { FIRST_IN_COLOUR } else { IN_COLOUR };
     let designed = catalogue::catalogue()
         .iter()
@@ -212,8 +211,11 @@ mod tests {
     fn own_styles_come_as_often_as_others_and_invented_ones_by_their_share() {
         let own = StyleRef::of(&procedural::invent(7));
         let styling = |invented| Styling { extra: vec![own.clone()], invented, ..Styling::default() };
+        let first = plan(&request(3, styling(1.0))).unwrap();
+        assert!(first.style.built_in().is_some(), "a first page has no invented style");
         let drawn = |invented: f64| -> Vec<StyleRef> {
-            (0..400).map(|seed| plan(&request(seed, styling(invented))).unwrap().style).collect()
+            let shuffle = |seed| Request { current: Some(first.clone()), ..request(seed, styling(invented)) };
+            (0..400).map(|seed| plan(&shuffle(seed)).unwrap().style).collect()
         };
         let all: BTreeSet<String> = drawn(0.0).iter().map(text).collect();
         assert!(all.contains(&text(&own)));
@@ -295,8 +297,11 @@ mod tests {
             inventions: Some(inventions.to_vec()),
             ..Styling::default()
         };
+        let first = plan(&request(3, Styling::default())).unwrap();
         let drawn = |inventions: &[StyleRef]| -> Vec<StyleRef> {
-            (0..200).map(|seed| plan(&request(seed, styling(inventions))).unwrap().style).collect()
+            let shuffle =
+                |seed| Request { current: Some(first.clone()), ..request(seed, styling(inventions)) };
+            (0..200).map(|seed| plan(&shuffle(seed)).unwrap().style).collect()
         };
         assert!(drawn(&[]).iter().all(|style| style.built_in().is_some()));
         let invented: Vec<StyleRef> =
