@@ -160,7 +160,8 @@ export function toolsFor({
       kind: 'panel',
       title: strings.panel({ n: panel + 1, of: store.page.value?.panels.length ?? 0 }),
       tools: [
-        ...[crop, replace, lock, star, splitPanel, ...merged, ...frame, swap, rotate, flip],
+        // A locked panel has neither Crop nor Replace. `lock` is first, so that it does not move under the pointer.
+        ...[lock, crop, replace, star, splitPanel, ...merged, ...frame, swap, rotate, flip],
         ...[panels.fit, panels.focus, panels.reset],
         ...[breakFrame, correct, remove, panels.select, save, saveSubject],
       ],

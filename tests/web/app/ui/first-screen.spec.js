@@ -72,7 +72,7 @@ for (const viewport of [
       const before = await share(page);
       await panel(page, 1).click();
       const tools = page.getByRole('toolbar', { name: 'Panel tools' }).getByRole('button');
-      await expect(tools).toHaveText(['Crop', 'Replace', 'Lock', 'Star', 'Split panel', 'More']);
+      await expect(tools).toHaveText(['Lock', 'Crop', 'Replace', 'Star', 'Split panel', 'More']);
       expect(await share(page)).toBeCloseTo(before, 3);
       await tools.last().click();
       // A disabled tool explains why it is disabled.
