@@ -726,7 +726,7 @@ impl Room<'_> {
     }
 
     /// Returns the position of the head of the largest person or animal, or of the largest object without
-    /// them, and the estimated bounds of the head.
+    /// them, and the estimated bounds of the head. If the crop cuts off the head, the position is on the edge of the panel.
     fn largest(&self) -> (Option<Point>, Option<Bounds>) {
         let size = |seen: &&Seen| {
             seen.bounds.width * seen.bounds.height * if seen.class == Class::Person { 4.0 } else { 1.0 }
@@ -743,8 +743,13 @@ impl Room<'_> {
             width: wide,
             height: (height / 2.0).min(HEAD_SIZE.1 * width),
         };
+        let frame = self.frame;
+        let within = |at: f64, start: f64, length: f64| at.clamp(start, start + length);
         (
-            Some(Point::new(middle, y + 0.25 * height)),
+            Some(Point::new(
+                within(middle, frame.x, frame.width),
+                within(y + 0.25 * height, frame.y, frame.height),
+            )),
             matches!(seen.class, Class::Person | Class::Animal).then_some(head),
         )
     }

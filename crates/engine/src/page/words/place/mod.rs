@@ -509,6 +509,37 @@ mod tests {
     }
 
     #[test]
+    fn a_tail_stays_in_its_panel_if_the_crop_cuts_off_the_head() {
+        let letters = Letters::bundled().unwrap();
+        let person = Subject {
+            x: 0.3,
+            y: 0.1,
+            width: 0.4,
+            height: 0.9,
+            label: "person".to_owned(),
+            score: 0.9,
+            points: None,
+            expression: None,
+            light: None,
+        };
+        for (x, y) in [(0.0, 0.55), (0.55, 0.3), (0.0, 0.7)] {
+            let mut document = page("grid-4", 4, &json!([balloon(0, "Hello!")]), &json!({}));
+            document.panels[0].crop = Some(Crop { x, y, width: 1.0 - x, height: 1.0 - y });
+            let subjects = [person.clone()];
+            settle(&mut document, |_| Known::from(&subjects[..]), &letters).unwrap();
+            let ground = Ground::new(&document).unwrap();
+            let word = document.words[0].clone();
+            let frame = ground.frame(&word);
+            let Some(tip) = ground.lay(word, &letters).tip else { continue };
+            let inside = |at: f64, start: f64, length: f64| at >= start && at <= start + length;
+            assert!(
+                inside(tip.x, frame.x, frame.width) && inside(tip.y, frame.y, frame.height),
+                "{x} {y}: {tip:?} {frame:?}"
+            );
+        }
+    }
+
+    #[test]
     fn text_placed_by_hand_moves_off_a_face_only_when_the_layout_changes() {
         let letters = Letters::bundled().unwrap();
         let face = Subject {
