@@ -481,6 +481,16 @@ describe('text that the user placed', () => {
     ]);
   });
 
+  test('stays when only the style and its paper change', async () => {
+    await lettering.ready();
+    store.change({ type: 'change-page', page: { ...(store.page.value as PageDocument), words: [own] } });
+    const page = store.page.value as PageDocument;
+    const dark = { ...page.page, paper: '#101010', borderColor: '#fafafa' };
+    expect(placesOf(lettering.settled({ ...page, style: 'moonlight', page: dark }))).toEqual([[0.7, true]]);
+    const panels = [...page.panels].reverse();
+    expect(placesOf(lettering.settled({ ...page, style: 'moonlight', panels }))).toEqual([[0.25, true]]);
+  });
+
   test('stays when the glyphs are loaded after another page was planned ahead', async () => {
     const page = store.page.value as PageDocument;
     const ahead = { ...page, panels: [...page.panels].reverse(), words: [own] };

@@ -96,7 +96,7 @@ export function createWordPlanning({
 
   /**
    * Places the text items of a page clear of faces, and of subjects as far as possible. If the layout has changed, text
-   * items that the user placed move off faces as well.
+   * items that the user placed move off faces as well. If only the style has changed, no item moves.
    * @param only the text items that may move; by default all
    * @param before the earlier page in its place; by default the current page
    */
@@ -110,7 +110,7 @@ export function createWordPlanning({
     const stays = (i: number) => only !== undefined && !only.includes(i);
     const again = only === undefined && isLaidOut(page, before);
     if (!again && !all.some(({ auto }, i) => auto !== false && !stays(i))) return page;
-    if (all.length === 0) return page;
+    if (all.length === 0 || (only === undefined && isRestyled(page, before))) return page;
     if (!table) {
       owed.add(keyOf(page));
       return page;
@@ -210,6 +210,13 @@ function isLaidOut(page: PageDocument, before: PageDocument | null): boolean {
   const look = ({ layout, page: { width, height, gutter, margin }, panels, merges }: PageDocument) =>
     JSON.stringify([layout, width / height, gutter, margin, merges, panels.map(({ photo, crop }) => [photo, crop])]);
   return before !== null && look(page) !== look(before);
+}
+
+/** Whether a page only has another style, and maybe its paper. The text items keep their places and their speakers. */
+function isRestyled(page: PageDocument, before: PageDocument | null): boolean {
+  const rest = ({ style, seed, page: { paper, borderColor, ...settings }, ...others }: PageDocument) =>
+    JSON.stringify([settings, others]);
+  return before !== null && before !== page && homeless(page).length === 0 && rest(page) === rest(before);
 }
 
 /** Returns the text items of a page without a position. */
